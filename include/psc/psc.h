@@ -1,0 +1,662 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file psc.h
+ * Exact, area-preserving sampling of light sources seen from a point.
+ *
+ * A renderer asks, at every shading point: give me a random direction towards this light, and
+ * its density. libpsc answers with maps from the unit square: stratified points in, stratified
+ * directions out, with the density exactly as stated.
+ *
+ *     psc_sampler_storage storage;
+ *     psc_sampler *sampler;
+ *     psc_sampler_init(&storage, sizeof storage, &sampler);             once per thread
+ *
+ *     psc_build_sphere(sampler, &technique, &receiver, center, radius); once per shading point
+ *     psc_sample_f64(sampler, u, v, &sample);                           as often as wanted
+ *     L += radiance * bsdf * sample.weight;                             weight = cosine / pdf
+ *
+ * Conventions that hold for every function:
+ *
+ * - Vectors are in the caller's right-handed world space, lengths in any one unit, angles in
+ *   radians, solid angles in steradians. A pdf is always with respect to solid angle.
+ * - The unit square includes its ends: u and v may be 0 or 1. A coordinate outside [0,1] or NaN
+ *   gives an unspecified direction, never a crash.
+ * - Functions return a psc_result. Zero is success, a positive value is a status (nothing went
+ *   wrong, but see there), a negative value is an error. On an error no output is written,
+ *   except that a pointer to a handle receives NULL and a sampler being built becomes empty.
+ * - Nothing is printed, no memory is allocated outside psc_sampler_create(), the floating-point
+ *   environment is neither read nor changed, and there is no global state. Results hold for
+ *   round-to-nearest with subnormals on.
+ * - Building, and anything else that takes a non-const sampler, needs exclusive use of it. A
+ *   built sampler is immutable: any number of threads may sample it at the same time.
+ * - Geometry is given in double; a float converts exactly. The suffixes _f32 and _f64 name the
+ *   precision of what is sampled. Multiplying every length by a power of two changes nothing
+ *   but the lengths that are returned.
+ *
+ * Sources, cited below by their short names:
+ *   [UG18]  C. Ureña, I. Georgiev: Stratified Sampling of Projected Spherical Caps. EGSR 2018.
+ *   [Wan92] C. Wang: Physically correct direct lighting for distribution ray tracing.
+ *           Graphics Gems III, 1992.
+ *   [SC97]  P. Shirley, K. Chiu: A low distortion map between disk and square. JGT 2(3), 1997.
+ */
+#ifndef PSC_PSC_H
+#define PSC_PSC_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(_WIN32) && defined(PSC_BUILDING)
+#define PSC_API __declspec(dllexport)
+#elif defined(__GNUC__) && !defined(_WIN32)
+#define PSC_API __attribute__((visibility("default")))
+#else
+#define PSC_API
+#endif
+
+/* ---- Version --------------------------------------------------------------------------- */
+
+/** Version of this header. */
+#define PSC_VERSION_MAJOR 0
+#define PSC_VERSION_MINOR 1
+#define PSC_VERSION_PATCH 0
+
+/** The header's version as one number: major << 22 | minor << 12 | patch. */
+#define PSC_VERSION 4096
+
+/** Version of the library that is running, packed like PSC_VERSION. @since 0.1 */
+PSC_API uint32_t psc_version(void);
+
+/* ---- Results --------------------------------------------------------------------------- */
+
+/** Outcome of a call: 0 success, positive a status, negative an error. */
+typedef int32_t psc_result;
+
+enum {
+    PSC_SUCCESS = 0,
+    /** Nothing of the light can be seen from the receiver: totals and pdfs are 0, there is
+        nothing to sample, outputs of sampling calls are left as they were. */
+    PSC_EMPTY = 1,
+    /** The sample was written and its pdf holds, but it carries no light to the receiver: it
+        lies below the receiver's horizon or on the far side of the light. Its weight is 0. */
+    PSC_CULLED = 2,
+    /** The direction is not one that the sampler can give; nothing was written. */
+    PSC_OUTSIDE = 3,
+
+    PSC_ERROR_NULL_POINTER = -1,
+    PSC_ERROR_STRUCT_SIZE = -2,
+    PSC_ERROR_UNKNOWN_FIELD = -3,
+    PSC_ERROR_STORAGE = -4,
+    PSC_ERROR_OUT_OF_MEMORY = -5,
+    PSC_ERROR_NOT_FINITE = -6,
+    PSC_ERROR_ZERO_VECTOR = -7,
+    PSC_ERROR_NEGATIVE_SIZE = -8,
+    PSC_ERROR_HALF_ANGLE = -9,
+    PSC_ERROR_UNKNOWN_MEASURE = -10,
+    PSC_ERROR_UNKNOWN_MAP = -11,
+    PSC_ERROR_UNKNOWN_FLAG = -12,
+    PSC_ERROR_UNSUPPORTED_TECHNIQUE = -13,
+    PSC_ERROR_NEEDS_NORMAL = -14,
+    PSC_ERROR_UNKNOWN_VERSION = -15
+};
+
+/** What a result means, in words; never NULL, also for numbers that mean nothing. @since 0.1 */
+PSC_API const char *psc_result_string(psc_result result);
+
+/* ---- What is asked for ------------------------------------------------------------------ */
+
+/** The measure in which samples are uniform. */
+typedef uint32_t psc_measure;
+
+enum {
+    /** Uniform in solid angle over the whole light, horizon not considered; samples below the
+        horizon of a receiver with a normal come with PSC_CULLED. */
+    PSC_MEASURE_SOLID_ANGLE = 0,
+    /** Uniform in projected solid angle over the part of the light above the receiver's
+        horizon: pdf = cosine / projected solid angle, so that one sample gives unoccluded
+        diffuse light exactly. Needs a receiver with a normal. [UG18] */
+    PSC_MEASURE_PROJECTED_SOLID_ANGLE = 1,
+    /** Uniform in area over the whole surface of the light; samples on the far side come with
+        PSC_CULLED. */
+    PSC_MEASURE_AREA = 2,
+    /** Uniform in area over the part of the surface that faces the receiver. */
+    PSC_MEASURE_VISIBLE_AREA = 3
+};
+
+/** How the unit square is laid over the light. */
+typedef uint32_t psc_map;
+
+enum {
+    /** u moves outwards from the centre (from the inner edge of a lune), v around it. For
+        projected solid angle: section 4.2 and listing 1 of [UG18]. */
+    PSC_MAP_RADIAL = 0,
+    /** v selects one of a family of parallel chords, u moves along it. Section 4.1 of [UG18]. */
+    PSC_MAP_PARALLEL = 1,
+    /** Low distortion: the square is first laid over a disk by [SC97], so that neighbouring
+        points stay neighbours all round. */
+    PSC_MAP_CONCENTRIC = 2
+};
+
+/**
+ * How to sample. All zero but for struct_size is the default: solid angle, radial.
+ *
+ *                               sphere, cap                            sphere only
+ *                      solid angle   projected solid angle      area   visible area
+ *     radial               x                  x                  x          x
+ *     parallel                                x
+ *     concentric           x                  x                  x          x
+ *
+ * A combination that a shape does not offer is PSC_ERROR_UNSUPPORTED_TECHNIQUE when it is
+ * built, never a silent substitute.
+ */
+typedef struct psc_technique {
+    uint32_t struct_size; /**< sizeof(psc_technique) */
+    psc_measure measure;
+    psc_map map;
+    uint32_t flags; /**< 0: none are defined yet */
+} psc_technique;
+
+enum {
+    /** Light counts on both sides of the receiver's tangent plane: the cosine is |n . w|. */
+    PSC_RECEIVER_TWO_SIDED = 1
+};
+
+/** The point that is lit. */
+typedef struct psc_receiver {
+    uint32_t struct_size;   /**< sizeof(psc_receiver) */
+    uint32_t flags;         /**< 0 or PSC_RECEIVER_TWO_SIDED */
+    const double *position; /**< 3 finite numbers */
+    const double *normal;   /**< any length but 0; NULL for a point in a volume */
+} psc_receiver;
+
+/* ---- The sampler ------------------------------------------------------------------------ */
+
+/** A light seen from a receiver, ready to be sampled. Opaque. */
+typedef struct psc_sampler psc_sampler;
+
+/** Room for a sampler on the stack or inside another object. */
+typedef union psc_sampler_storage {
+    double align_double;
+    void *align_pointer;
+    unsigned char bytes[8192];
+} psc_sampler_storage;
+
+/** Where psc_sampler_create() gets its memory. */
+typedef struct psc_allocator {
+    uint32_t struct_size; /**< sizeof(psc_allocator) */
+    uint32_t reserved;    /**< 0 */
+    void *user;           /**< passed to both functions */
+    /** Returns size bytes aligned to align (at most malloc's alignment), or NULL. */
+    void *(*allocate)(void *user, size_t size, size_t align);
+    void (*release)(void *user, void *memory);
+} psc_allocator;
+
+/** Bytes that psc_sampler_init() needs; at most sizeof(psc_sampler_storage). @since 0.1 */
+PSC_API size_t psc_sampler_size(void);
+
+/** Alignment that psc_sampler_init() needs; at most that of psc_sampler_storage. @since 0.1 */
+PSC_API size_t psc_sampler_align(void);
+
+/**
+ * Makes an empty sampler in the caller's memory. It owns nothing, needs no destroying, and may
+ * be copied or moved with memcpy.
+ * @param memory  psc_sampler_size() bytes or more, aligned to psc_sampler_align()
+ * @param size    bytes at memory
+ * @param out     receives the sampler, or NULL on failure
+ * @return PSC_ERROR_NULL_POINTER, or PSC_ERROR_STORAGE when memory is too small or misaligned
+ * @since 0.1
+ */
+PSC_API psc_result psc_sampler_init(void *memory, size_t size, psc_sampler **out);
+
+/**
+ * Makes an empty sampler in allocated memory: one call of the allocator, here and nowhere else.
+ * @param allocator  NULL for malloc and free; copied, so it need not outlive the call
+ * @param out        receives the sampler, or NULL on failure
+ * @return PSC_ERROR_NULL_POINTER, PSC_ERROR_STRUCT_SIZE, PSC_ERROR_UNKNOWN_FIELD,
+ *         PSC_ERROR_OUT_OF_MEMORY
+ * @since 0.1
+ */
+PSC_API psc_result psc_sampler_create(const psc_allocator *allocator, psc_sampler **out);
+
+/** Releases a sampler from psc_sampler_create(); NULL and initialised ones are left alone.
+    @since 0.1 */
+PSC_API void psc_sampler_destroy(psc_sampler *sampler);
+
+/* ---- Building: one call per shape, once per shading point --------------------------------- */
+
+/**
+ * Builds the sampler of a spherical light.
+ *
+ * From a point inside, the light is all around: solid angle samples the whole sphere of
+ * directions, projected solid angle the cosine-weighted hemisphere (both, when the receiver is
+ * two-sided). From a point on the surface it fills a half space.
+ * @param sampler    is empty afterwards unless the result is PSC_SUCCESS
+ * @param technique  what to sample, see psc_technique
+ * @param receiver   from where; read during the call only
+ * @param center     3 finite numbers
+ * @param radius     finite; 0 is PSC_EMPTY
+ * @return PSC_SUCCESS; PSC_EMPTY when nothing is visible (below the horizon, radius 0);
+ *         PSC_ERROR_NULL_POINTER, _STRUCT_SIZE, _UNKNOWN_FIELD, _UNKNOWN_MEASURE, _UNKNOWN_MAP,
+ *         _UNKNOWN_FLAG, _UNSUPPORTED_TECHNIQUE, _NEEDS_NORMAL, _NOT_FINITE, _ZERO_VECTOR (the
+ *         normal) or _NEGATIVE_SIZE
+ * @since 0.1
+ */
+PSC_API psc_result psc_build_sphere(psc_sampler *sampler, const psc_technique *technique,
+                                    const psc_receiver *receiver, const double center[3],
+                                    double radius);
+
+/**
+ * Builds the sampler of a distant light that fills a spherical cap: the sun, or any light whose
+ * direction and size do not depend on where the receiver is. Samples come with an infinite
+ * distance, the direction as their point, and a normal that faces the receiver.
+ * @param axis        direction to the middle of the light; any length but 0
+ * @param half_angle  angle between axis and edge, 0 (PSC_EMPTY) to pi; at most pi/2 for
+ *                    projected solid angle. Up to pi or pi/2 as rounded to double.
+ * @return as psc_build_sphere(), with PSC_ERROR_HALF_ANGLE for one that is too large
+ * @since 0.1
+ */
+PSC_API psc_result psc_build_cap(psc_sampler *sampler, const psc_technique *technique,
+                                 const psc_receiver *receiver, const double axis[3],
+                                 double half_angle);
+
+/* ---- One sample at a time ------------------------------------------------------------------ */
+
+/** One sampled point of a light. */
+typedef struct psc_light_sample_f64 {
+    double direction[3]; /**< unit vector from the receiver to the light */
+    double pdf;          /**< density of the direction per steradian */
+    double point[3];     /**< the point on the light, in world space */
+    double distance;     /**< from the receiver to the point */
+    double normal[3];    /**< unit outward normal of the light at the point */
+    double weight;       /**< cosine / pdf, or 1 / pdf for a receiver without normal; finite
+                              and right where both cosine and pdf vanish; 0 when culled */
+    double surface[2];   /**< texture coordinates of shapes that have their own; spheres and
+                              caps have none and write 0 */
+} psc_light_sample_f64;
+
+/** The same in single precision. */
+typedef struct psc_light_sample_f32 {
+    float direction[3];
+    float pdf;
+    float point[3];
+    float distance;
+    float normal[3];
+    float weight;
+    float surface[2];
+} psc_light_sample_f32;
+
+/**
+ * Samples one direction. Checks none of its pointers.
+ * @param u,v  a point of the unit square, uniformly distributed if the samples are to be
+ * @return PSC_SUCCESS, PSC_CULLED or PSC_EMPTY
+ * @since 0.1
+ */
+PSC_API psc_result psc_sample_f64(const psc_sampler *sampler, double u, double v,
+                                  psc_light_sample_f64 *sample);
+/** The same in single precision. @since 0.1 */
+PSC_API psc_result psc_sample_f32(const psc_sampler *sampler, float u, float v,
+                                  psc_light_sample_f32 *sample);
+
+/**
+ * The density with which psc_sample_f64() gives a direction, for multiple importance sampling:
+ * exactly 0 outside the support. Checks none of its pointers.
+ * @param direction  unit vector from the receiver
+ * @param pdf        receives the density per steradian
+ * @return PSC_SUCCESS, or PSC_EMPTY (with pdf 0)
+ * @since 0.1
+ */
+PSC_API psc_result psc_pdf_f64(const psc_sampler *sampler, const double direction[3], double *pdf);
+/** The same in single precision. @since 0.1 */
+PSC_API psc_result psc_pdf_f32(const psc_sampler *sampler, const float direction[3], float *pdf);
+
+/**
+ * The point of the unit square that psc_sample_f64() maps to a direction: the exact inverse.
+ * Checks none of its pointers. Where a light is seen as small as the rounding of the direction,
+ * the result is as good as the direction that was passed.
+ * @param direction  unit vector from the receiver
+ * @param uv         receives the point
+ * @return PSC_SUCCESS, PSC_OUTSIDE or PSC_EMPTY
+ * @since 0.1
+ */
+PSC_API psc_result psc_invert_f64(const psc_sampler *sampler, const double direction[3],
+                                  double uv[2]);
+/** The same in single precision. @since 0.1 */
+PSC_API psc_result psc_invert_f32(const psc_sampler *sampler, const float direction[3],
+                                  float uv[2]);
+
+/* ---- Arrays -------------------------------------------------------------------------------- */
+
+/**
+ * Arrays are described by one pointer per component and one stride in bytes that all of them
+ * share, so that interleaved records, separate arrays and strided views pass without a copy.
+ * Element i of component c is at (char *)component[c] + i * stride. Scalars use component[0],
+ * pairs the first two, vectors all three; the others are not read. Numbers must be naturally
+ * aligned; strides may be negative. A stride of 0 repeats one value for every element of an
+ * input. An output component that is NULL is not wanted. Outputs must not overlap inputs.
+ */
+typedef struct psc_input_f64 {
+    const double *component[3];
+    ptrdiff_t stride;
+} psc_input_f64;
+
+typedef struct psc_input_f32 {
+    const float *component[3];
+    ptrdiff_t stride;
+} psc_input_f32;
+
+typedef struct psc_output_f64 {
+    double *component[3];
+    ptrdiff_t stride;
+} psc_output_f64;
+
+typedef struct psc_output_f32 {
+    float *component[3];
+    ptrdiff_t stride;
+} psc_output_f32;
+
+/** An array of statuses; element i is at (char *)data + i * stride. NULL: not wanted. */
+typedef struct psc_output_result {
+    psc_result *data;
+    ptrdiff_t stride;
+} psc_output_result;
+
+/** Where sampled points go: the fields of psc_light_sample_f64, each an array or not wanted,
+    and the result that psc_sample_f64() would have returned for each element. */
+typedef struct psc_samples_f64 {
+    uint32_t struct_size; /**< sizeof(psc_samples_f64) */
+    uint32_t reserved;    /**< 0 */
+    psc_output_f64 direction;
+    psc_output_f64 pdf;
+    psc_output_f64 point;
+    psc_output_f64 distance;
+    psc_output_f64 normal;
+    psc_output_f64 weight;
+    psc_output_f64 surface;
+    psc_output_result status;
+} psc_samples_f64;
+
+/** The same in single precision. */
+typedef struct psc_samples_f32 {
+    uint32_t struct_size; /**< sizeof(psc_samples_f32) */
+    uint32_t reserved;    /**< 0 */
+    psc_output_f32 direction;
+    psc_output_f32 pdf;
+    psc_output_f32 point;
+    psc_output_f32 distance;
+    psc_output_f32 normal;
+    psc_output_f32 weight;
+    psc_output_f32 surface;
+    psc_output_result status;
+} psc_samples_f32;
+
+/**
+ * Samples one build many times: element for element, to the last bit, what psc_sample_f64()
+ * gives.
+ * @param count  number of elements; may be 0
+ * @param uv     pairs: points of the unit square
+ * @param out    what is wanted of the samples
+ * @return PSC_SUCCESS; PSC_EMPTY (only the statuses are written); PSC_ERROR_NULL_POINTER,
+ *         PSC_ERROR_STRUCT_SIZE or PSC_ERROR_UNKNOWN_FIELD
+ * @since 0.1
+ */
+PSC_API psc_result psc_sample_n_f64(const psc_sampler *sampler, size_t count,
+                                    const psc_input_f64 *uv, const psc_samples_f64 *out);
+/** The same in single precision. @since 0.1 */
+PSC_API psc_result psc_sample_n_f32(const psc_sampler *sampler, size_t count,
+                                    const psc_input_f32 *uv, const psc_samples_f32 *out);
+
+/**
+ * psc_pdf_f64() for many directions.
+ * @param direction  vectors: unit, from the receiver
+ * @param pdf        scalars
+ * @return PSC_SUCCESS, PSC_EMPTY (all pdfs 0) or PSC_ERROR_NULL_POINTER
+ * @since 0.1
+ */
+PSC_API psc_result psc_pdf_n_f64(const psc_sampler *sampler, size_t count,
+                                 const psc_input_f64 *direction, const psc_output_f64 *pdf);
+/** The same in single precision. @since 0.1 */
+PSC_API psc_result psc_pdf_n_f32(const psc_sampler *sampler, size_t count,
+                                 const psc_input_f32 *direction, const psc_output_f32 *pdf);
+
+/**
+ * psc_invert_f64() for many directions.
+ * @param direction  vectors: unit, from the receiver
+ * @param uv         pairs; left as they were where the status is not PSC_SUCCESS
+ * @param status     what psc_invert_f64() would have returned for each element; may be NULL
+ * @return PSC_SUCCESS, PSC_EMPTY (only the statuses are written) or PSC_ERROR_NULL_POINTER
+ * @since 0.1
+ */
+PSC_API psc_result psc_invert_n_f64(const psc_sampler *sampler, size_t count,
+                                    const psc_input_f64 *direction, const psc_output_f64 *uv,
+                                    const psc_output_result *status);
+/** The same in single precision. @since 0.1 */
+PSC_API psc_result psc_invert_n_f32(const psc_sampler *sampler, size_t count,
+                                    const psc_input_f32 *direction, const psc_output_f32 *uv,
+                                    const psc_output_result *status);
+
+/* ---- Wavefronts: one build and one sample per element -------------------------------------- */
+
+/** Many receivers. */
+typedef struct psc_receivers_f64 {
+    uint32_t struct_size;   /**< sizeof(psc_receivers_f64) */
+    uint32_t flags;         /**< as in psc_receiver, for all of them */
+    psc_input_f64 position; /**< vectors */
+    psc_input_f64 normal;   /**< vectors; component[0] NULL for points in a volume */
+} psc_receivers_f64;
+
+/** The same in single precision. */
+typedef struct psc_receivers_f32 {
+    uint32_t struct_size; /**< sizeof(psc_receivers_f32) */
+    uint32_t flags;
+    psc_input_f32 position;
+    psc_input_f32 normal;
+} psc_receivers_f32;
+
+/**
+ * For each element, builds the sampler of a sphere and samples it once: to the last bit what
+ * psc_build_sphere() and psc_sample_f64() give, without a handle. Errors of single elements
+ * (a NaN, a zero normal) are in the statuses and do not stop the others.
+ * @param technique  one for all
+ * @param count      number of elements; may be 0
+ * @param receivers  positions and normals
+ * @param center     vectors
+ * @param radius     scalars
+ * @param uv         pairs
+ * @param out        what is wanted; left as it was where the status is an error or PSC_EMPTY
+ * @return PSC_SUCCESS, or an error of the call as a whole: those of psc_build_sphere() that
+ *         concern pointers, sizes and the technique
+ * @since 0.1
+ */
+PSC_API psc_result psc_sphere_sample_n_f64(const psc_technique *technique, size_t count,
+                                           const psc_receivers_f64 *receivers,
+                                           const psc_input_f64 *center,
+                                           const psc_input_f64 *radius, const psc_input_f64 *uv,
+                                           const psc_samples_f64 *out);
+/** The same in single precision. @since 0.1 */
+PSC_API psc_result psc_sphere_sample_n_f32(const psc_technique *technique, size_t count,
+                                           const psc_receivers_f32 *receivers,
+                                           const psc_input_f32 *center,
+                                           const psc_input_f32 *radius, const psc_input_f32 *uv,
+                                           const psc_samples_f32 *out);
+
+/** psc_build_cap() and psc_sample_f64() for each element; see psc_sphere_sample_n_f64().
+    @since 0.1 */
+PSC_API psc_result psc_cap_sample_n_f64(const psc_technique *technique, size_t count,
+                                        const psc_receivers_f64 *receivers,
+                                        const psc_input_f64 *axis,
+                                        const psc_input_f64 *half_angle, const psc_input_f64 *uv,
+                                        const psc_samples_f64 *out);
+/** The same in single precision. @since 0.1 */
+PSC_API psc_result psc_cap_sample_n_f32(const psc_technique *technique, size_t count,
+                                        const psc_receivers_f32 *receivers,
+                                        const psc_input_f32 *axis,
+                                        const psc_input_f32 *half_angle, const psc_input_f32 *uv,
+                                        const psc_samples_f32 *out);
+
+/* ---- Questions ------------------------------------------------------------------------------ */
+
+/** The shape a sampler was built for. */
+typedef uint32_t psc_shape;
+
+enum { PSC_SHAPE_NONE = 0, PSC_SHAPE_SPHERE = 1, PSC_SHAPE_CAP = 2 };
+
+/** How the light lies to the horizon of the receiver; the names are those of [UG18], after the
+    outline of the light's projection on the receiver's tangent plane. */
+typedef uint32_t psc_case;
+
+enum {
+    PSC_CASE_EMPTY = 0,            /**< nothing visible, or nothing built */
+    PSC_CASE_ELLIPSE = 1,          /**< wholly above the horizon */
+    PSC_CASE_ELLIPSE_AND_LUNE = 2, /**< partly below, its centre above or on the horizon */
+    PSC_CASE_LUNE = 3,             /**< partly below, its centre too */
+    PSC_CASE_INSIDE = 4,           /**< the receiver is inside the light */
+    PSC_CASE_NO_HORIZON = 5        /**< the receiver has no normal */
+};
+
+/** What a sampler is. */
+typedef struct psc_description {
+    uint32_t struct_size; /**< set by the caller to sizeof(psc_description) */
+    psc_shape shape;
+    psc_measure measure;
+    psc_map map;
+    psc_case visibility; /**< for a two-sided receiver: seen from the side of the centre */
+    uint32_t reserved;   /**< written as 0 */
+} psc_description;
+
+/**
+ * Describes the sampler.
+ * @return PSC_SUCCESS, PSC_EMPTY (written too), PSC_ERROR_NULL_POINTER, PSC_ERROR_STRUCT_SIZE
+ * @since 0.1
+ */
+PSC_API psc_result psc_sampler_describe(const psc_sampler *sampler, psc_description *description);
+
+/**
+ * The total in the measure that the sampler is uniform in: steradians, or squared lengths for
+ * the area measures.
+ * @return PSC_SUCCESS, PSC_EMPTY (with 0) or PSC_ERROR_NULL_POINTER
+ * @since 0.1
+ */
+PSC_API psc_result psc_sampler_total(const psc_sampler *sampler, double *total);
+
+/** Solid angle of the whole light in steradians, whether above the horizon or not.
+    @return as psc_sampler_total() @since 0.1 */
+PSC_API psc_result psc_sampler_solid_angle(const psc_sampler *sampler, double *solid_angle);
+
+/** Integral of the cosine over the light above the horizon (over all of it, with |cosine|, for
+    a two-sided receiver): 0 to pi (2 pi) steradians. [UG18, equations 27 to 29]
+    @return as psc_sampler_total(), or PSC_ERROR_NEEDS_NORMAL, PSC_ERROR_HALF_ANGLE (a cap beyond
+    a right angle) @since 0.1 */
+PSC_API psc_result psc_sampler_projected_solid_angle(const psc_sampler *sampler,
+                                                     double *projected_solid_angle);
+
+/** The projected solid angle divided by pi: the share of the receiver's cosine-weighted
+    hemisphere that the light fills.
+    @return as psc_sampler_projected_solid_angle() @since 0.1 */
+PSC_API psc_result psc_sampler_form_factor(const psc_sampler *sampler, double *form_factor);
+
+/** Surface area of the whole light in squared lengths.
+    @return as psc_sampler_total(), or PSC_ERROR_UNSUPPORTED_TECHNIQUE for a distant light, which
+    has none @since 0.1 */
+PSC_API psc_result psc_sampler_area(const psc_sampler *sampler, double *area);
+
+/**
+ * Solid angle of a sphere without a sampler, in steradians: 4 pi from inside, 2 pi on the
+ * surface.
+ * @param position  of the receiver, 3 finite numbers
+ * @return PSC_SUCCESS, PSC_EMPTY (radius 0; 0 is written), PSC_ERROR_NULL_POINTER,
+ *         PSC_ERROR_NOT_FINITE, PSC_ERROR_NEGATIVE_SIZE
+ * @since 0.1
+ */
+PSC_API psc_result psc_sphere_solid_angle(const double position[3], const double center[3],
+                                          double radius, double *solid_angle);
+
+/** Form factor from the receiver to a sphere, see psc_sampler_form_factor(), without a sampler.
+    @return as psc_build_sphere(); 0 is written with PSC_EMPTY @since 0.1 */
+PSC_API psc_result psc_sphere_form_factor(const psc_receiver *receiver, const double center[3],
+                                          double radius, double *form_factor);
+
+/** Solid angle of a cap of directions, in steradians.
+    @return as psc_sphere_solid_angle(), or PSC_ERROR_HALF_ANGLE above pi @since 0.1 */
+PSC_API psc_result psc_cap_solid_angle(double half_angle, double *solid_angle);
+
+/** Form factor from the receiver to a distant light, without a sampler.
+    @return as psc_build_cap(); 0 is written with PSC_EMPTY @since 0.1 */
+PSC_API psc_result psc_cap_form_factor(const psc_receiver *receiver, const double axis[3],
+                                       double half_angle, double *form_factor);
+
+/* ---- The function table, for programs that load the library at run time ----------------------- */
+
+/** Every function above, in the order of this header. The table only ever grows at its end. */
+typedef struct psc_api_1 {
+    uint32_t (*version)(void);
+    const char *(*result_string)(psc_result);
+    size_t (*sampler_size)(void);
+    size_t (*sampler_align)(void);
+    psc_result (*sampler_init)(void *, size_t, psc_sampler **);
+    psc_result (*sampler_create)(const psc_allocator *, psc_sampler **);
+    void (*sampler_destroy)(psc_sampler *);
+    psc_result (*build_sphere)(psc_sampler *, const psc_technique *, const psc_receiver *,
+                               const double *, double);
+    psc_result (*build_cap)(psc_sampler *, const psc_technique *, const psc_receiver *,
+                            const double *, double);
+    psc_result (*sample_f64)(const psc_sampler *, double, double, psc_light_sample_f64 *);
+    psc_result (*sample_f32)(const psc_sampler *, float, float, psc_light_sample_f32 *);
+    psc_result (*pdf_f64)(const psc_sampler *, const double *, double *);
+    psc_result (*pdf_f32)(const psc_sampler *, const float *, float *);
+    psc_result (*invert_f64)(const psc_sampler *, const double *, double *);
+    psc_result (*invert_f32)(const psc_sampler *, const float *, float *);
+    psc_result (*sample_n_f64)(const psc_sampler *, size_t, const psc_input_f64 *,
+                               const psc_samples_f64 *);
+    psc_result (*sample_n_f32)(const psc_sampler *, size_t, const psc_input_f32 *,
+                               const psc_samples_f32 *);
+    psc_result (*pdf_n_f64)(const psc_sampler *, size_t, const psc_input_f64 *,
+                            const psc_output_f64 *);
+    psc_result (*pdf_n_f32)(const psc_sampler *, size_t, const psc_input_f32 *,
+                            const psc_output_f32 *);
+    psc_result (*invert_n_f64)(const psc_sampler *, size_t, const psc_input_f64 *,
+                               const psc_output_f64 *, const psc_output_result *);
+    psc_result (*invert_n_f32)(const psc_sampler *, size_t, const psc_input_f32 *,
+                               const psc_output_f32 *, const psc_output_result *);
+    psc_result (*sphere_sample_n_f64)(const psc_technique *, size_t, const psc_receivers_f64 *,
+                                      const psc_input_f64 *, const psc_input_f64 *,
+                                      const psc_input_f64 *, const psc_samples_f64 *);
+    psc_result (*sphere_sample_n_f32)(const psc_technique *, size_t, const psc_receivers_f32 *,
+                                      const psc_input_f32 *, const psc_input_f32 *,
+                                      const psc_input_f32 *, const psc_samples_f32 *);
+    psc_result (*cap_sample_n_f64)(const psc_technique *, size_t, const psc_receivers_f64 *,
+                                   const psc_input_f64 *, const psc_input_f64 *,
+                                   const psc_input_f64 *, const psc_samples_f64 *);
+    psc_result (*cap_sample_n_f32)(const psc_technique *, size_t, const psc_receivers_f32 *,
+                                   const psc_input_f32 *, const psc_input_f32 *,
+                                   const psc_input_f32 *, const psc_samples_f32 *);
+    psc_result (*sampler_describe)(const psc_sampler *, psc_description *);
+    psc_result (*sampler_total)(const psc_sampler *, double *);
+    psc_result (*sampler_solid_angle)(const psc_sampler *, double *);
+    psc_result (*sampler_projected_solid_angle)(const psc_sampler *, double *);
+    psc_result (*sampler_form_factor)(const psc_sampler *, double *);
+    psc_result (*sampler_area)(const psc_sampler *, double *);
+    psc_result (*sphere_solid_angle)(const double *, const double *, double, double *);
+    psc_result (*sphere_form_factor)(const psc_receiver *, const double *, double, double *);
+    psc_result (*cap_solid_angle)(double, double *);
+    psc_result (*cap_form_factor)(const psc_receiver *, const double *, double, double *);
+} psc_api_1;
+
+/**
+ * Fills a table of function pointers: the one name a plugin host needs to look up.
+ * @param version  1
+ * @param table    a psc_api_1, of which the first size bytes are written
+ * @param size     sizeof(psc_api_1) as the caller knows it
+ * @return PSC_SUCCESS; PSC_ERROR_NULL_POINTER; PSC_ERROR_UNKNOWN_VERSION; PSC_ERROR_STRUCT_SIZE
+ *         when the caller's header is newer than the library
+ * @since 0.1
+ */
+PSC_API psc_result psc_get_api(uint32_t version, void *table, size_t size);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
