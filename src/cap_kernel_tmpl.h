@@ -1,0 +1,403 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Sampling of spheres and distant caps: from a lobe's point to the world, one sample at a time
+ * or in blocks. Template: see precision.h.
+ */
+
+/* The constants of a side in the precision of the kernel. */
+struct FN(psc_cap_world) {
+    real x[3], y[3], z[3], axis[3];
+    real position[3], center[3], offset[3];
+    real sin_a, cos_a, h0, sin_b, cos_b, axial; /* axial = cos alpha sin^2 beta */
+    real radius, distance, slack;        /* slack = (radius - distance)(radius + distance) */
+    real total, inverse_total;
+    enum psc_facing facing;
+    int projected, inside, distant;
+};
+
+PSC_LANE void FN(cap_world)(const psc_sampler *s, const struct psc_side *side,
+                            struct FN(psc_cap_world) *w)
+{
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        w->x[i] = (real)side->x[i];
+        w->y[i] = (real)side->y[i];
+        w->z[i] = (real)side->z[i];
+        w->axis[i] = (real)side->axis[i];
+        w->position[i] = (real)s->position[i];
+        w->center[i] = (real)s->center[i];
+        w->offset[i] = (real)s->offset[i];
+    }
+    w->sin_a = (real)side->lobe.sin_a;
+    w->cos_a = (real)side->lobe.cos_a;
+    w->h0 = (real)side->lobe.h0;
+    w->sin_b = (real)side->lobe.sin_b;
+    w->cos_b = (real)side->lobe.cos_b;
+    w->axial = (real)(side->lobe.cos_a * side->lobe.sin_b * side->lobe.sin_b);
+    w->radius = (real)s->radius;
+    w->distance = (real)s->distance;
+    w->slack = (real)((s->radius - s->distance) * (s->radius + s->distance));
+    w->total = (real)s->total;
+    w->inverse_total = (real)s->inverse_total;
+    w->facing = s->facing;
+    w->projected = s->projected;
+    w->inside = s->inside;
+    w->distant = s->radius == 0.0;
+}
+
+/* The cosine that counts, and whether the sample is culled for it. */
+PSC_LANE real FN(cap_cosine)(const struct FN(psc_cap_world) *w, real height)
+{
+    return w->facing == PSC_FACING_NONE  ? K(1.0)
+           : w->facing == PSC_FACING_ONE ? MAX(height, K(0.0))
+                                         : ABS(height);
+}
+
+PSC_LANE void FN(cap_density)(const struct FN(psc_cap_world) *w, real height, real *pdf,
+                              real *weight, psc_result *status)
+{
+    *pdf = w->projected ? height * w->inverse_total : w->inverse_total;
+    *weight = w->projected ? w->total : w->total * FN(cap_cosine)(w, height);
+    *status = !w->projected && w->facing == PSC_FACING_ONE && !(height > K(0.0)) ? PSC_CULLED
+                                                                                : PSC_SUCCESS;
+}
+
+/* The direction from the offset in the side's frame. */
+PSC_LANE void FN(cap_direction)(const struct FN(psc_cap_world) *w, real x, real y, real z,
+                                real *dx, real *dy, real *dz)
+{
+    *dx = w->axis[0] + ((x * w->x[0] + y * w->y[0]) + z * w->z[0]);
+    *dy = w->axis[1] + ((x * w->x[1] + y * w->y[1]) + z * w->z[1]);
+    *dz = w->axis[2] + ((x * w->x[2] + y * w->y[2]) + z * w->z[2]);
+}
+
+/* The depth inside the cap, h0 - (1 - cos) of the angle to the axis: across + up, or, where the
+   two have opposite signs, by the power of the point, (up - across) (up + across). */
+PSC_LANE real FN(cap_depth)(const struct FN(psc_cap_world) *w, real x, real height, real power)
+{
+    const real across = w->cos_b * (x + w->cos_b * w->h0) - w->axial;
+    const real up = w->sin_b * height;
+    const real quotient = power / (up - across);
+
+    if (!w->projected)
+        return power;
+    return (up < K(0.0)) != (across < K(0.0)) ? quotient : across + up;
+}
+
+/* Distance in units of that of the centre, and the normal in the side's frame (axial: along the
+   axis), of the near intersection with the sphere. No ray is intersected: all terms of
+     distance = cos^2 alpha / (1 - h + g),  g^2 = depth (2 - h0 - h)
+   are positive. */
+PSC_LANE void FN(cap_hit)(const struct FN(psc_cap_world) *w, real depth, real *ratio,
+                          real *scale, real *axial)
+{
+    const real h = w->h0 - depth;
+    const real d = MAX(depth, K(0.0));
+    const real g = SQRT(d * (K(2.0) - w->h0 - h));
+    const real inverse = K(1.0) / (K(1.0) - h + g);
+
+    *ratio = w->cos_a * w->cos_a * inverse;
+    *scale = *ratio / w->sin_a;
+    *axial = -(d + w->h0 * w->cos_a + g) * inverse / w->sin_a;
+}
+
+/* The far intersection, for a receiver inside: distance. */
+PSC_LANE real FN(inside_distance)(const struct FN(psc_cap_world) *w, real dx, real dy, real dz)
+{
+    const real b = (dx * w->offset[0] + dy * w->offset[1]) + dz * w->offset[2];
+    const real root = SQRT(w->slack + b * b);
+
+    return b >= K(0.0) ? b + root : w->slack / (root - b);
+}
+
+/* Fills everything of a result that the direction and the depth decide. */
+PSC_LANE void FN(cap_surface)(const struct FN(psc_cap_world) *w, const real direction[3], real x,
+                              real y, real z, real depth, real point[3], real normal[3],
+                              real *distance)
+{
+    int i;
+
+    if (w->distant) {
+        for (i = 0; i < 3; i++) {
+            point[i] = direction[i];
+            normal[i] = -direction[i];
+        }
+        *distance = w->distance;
+    } else if (w->inside) {
+        *distance = FN(inside_distance)(w, direction[0], direction[1], direction[2]);
+        for (i = 0; i < 3; i++) {
+            normal[i] = (*distance * direction[i] - w->offset[i]) / w->radius;
+            point[i] = w->center[i] + w->radius * normal[i];
+        }
+    } else {
+        real ratio, scale, axial;
+
+        FN(cap_hit)(w, depth, &ratio, &scale, &axial);
+        *distance = ratio * w->distance;
+        for (i = 0; i < 3; i++) {
+            normal[i] = scale * ((x * w->x[i] + y * w->y[i]) + z * w->z[i]) + axial * w->axis[i];
+            point[i] = w->center[i] + w->radius * normal[i];
+        }
+    }
+}
+
+/* ---- One sample ---- */
+
+/* The side that u falls to, and u within it: both sides have u = 0 inside and meet at 1, on the
+   horizon. */
+PSC_LANE int FN(cap_pick_side)(const psc_sampler *s, real u, real *within)
+{
+    const real first = (real)s->split, second = (real)(1.0 - s->split);
+    int i;
+
+    if (s->sides == 1) {
+        *within = u;
+        return 0;
+    }
+    i = !(u < first);
+    u = i ? (K(1.0) - u) / second : u / first;
+    *within = MIN(u, K(1.0));
+    return i;
+}
+
+#if PSC_REAL_BITS == 64
+#define CAP_LOBE(side) ((side)->lobe)
+#define CAP_NATIVE(native, lane, l, wide, u, v, p) lane##_f64(l, u, v, p)
+#else
+#define CAP_LOBE(side) psc_lobe_round(&(side)->lobe)
+/* Float where it holds the accuracy, otherwise double inside. */
+#define CAP_NATIVE(native, lane, l, wide, u, v, p) CAP_NATIVE_##native(lane, l, wide, u, v, p)
+#define CAP_NATIVE_1(lane, l, wide, u, v, p) lane##_f32(l, u, v, p)
+#define CAP_NATIVE_0(lane, l, wide, u, v, p)                    \
+    do {                                                        \
+        struct psc_point_f64 wide_point;                        \
+        lane##_f64(wide, (double)(u), (double)(v), &wide_point); \
+        (p)->x = (float)wide_point.x;                           \
+        (p)->y = (float)wide_point.y;                           \
+        (p)->z = (float)wide_point.z;                           \
+        (p)->height = (float)wide_point.height;                 \
+        (p)->power = (float)wide_point.power;                   \
+    } while (0)
+#endif
+
+/* The area maps: pdf, weight and surface point follow from w, not from the direction. */
+PSC_LANE psc_result FN(area_density)(const struct FN(psc_cap_world) *w, real height, real pdf,
+                                     real inverse, real *weight)
+{
+    const real cosine = FN(cap_cosine)(w, height);
+
+    *weight = cosine * inverse;
+    (void)pdf;
+    return inverse > K(0.0) && cosine > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
+}
+
+PSC_LANE void FN(area_surface)(const struct FN(psc_cap_world) *w, const struct FN(psc_lobe) *l,
+                               real x, real y, real from_near, real point[3], real normal[3],
+                               real *distance)
+{
+    const real t = SQRT(l->gap * l->gap + K(2.0) * l->delta * from_near);
+    int i;
+
+    *distance = w->radius * t;
+    for (i = 0; i < 3; i++) {
+        normal[i] = t * (x * w->x[i] + y * w->y[i]) - (K(1.0) - from_near) * w->axis[i];
+        point[i] = w->center[i] + w->radius * normal[i];
+    }
+}
+
+static psc_result FN(cap_sample)(const psc_sampler *s, real u, real v,
+                                 FN(psc_light_sample) *out)
+{
+    const struct psc_side *side;
+    struct FN(psc_cap_world) w;
+    struct FN(psc_lobe) l;
+    struct FN(psc_point) p;
+    psc_result status;
+    real inverse;
+
+    if (s->sides == 0)
+        return PSC_EMPTY;
+    side = s->side + FN(cap_pick_side)(s, u, &u);
+    FN(cap_world)(s, side, &w);
+    l = CAP_LOBE(side);
+    out->surface[0] = out->surface[1] = K(0.0);
+    switch (side->map) {
+#define CAP_CASE(name, lane, native)                                \
+    case PSC_CAP_##name:                                            \
+        CAP_NATIVE(native, lane, &l, &side->lobe, u, v, &p);        \
+        break;
+        PSC_CAP_MAPS(CAP_CASE)
+#undef CAP_CASE
+    case PSC_CAP_RADIAL_AREA:
+    case PSC_CAP_CONCENTRIC_AREA:
+        if (side->map == PSC_CAP_RADIAL_AREA)
+            FN(radial_area)(&l, u, v, &p, &out->pdf, &inverse);
+        else
+            FN(concentric_area)(&l, u, v, &p, &out->pdf, &inverse);
+        status = FN(area_density)(&w, p.height, out->pdf, inverse, &out->weight);
+        FN(cap_direction)(&w, p.x, p.y, p.z, out->direction, out->direction + 1,
+                          out->direction + 2);
+        FN(area_surface)(&w, &l, p.x, p.y, p.power, out->point, out->normal, &out->distance);
+        return status;
+    default:
+        return PSC_EMPTY;
+    }
+    FN(cap_density)(&w, p.height, &out->pdf, &out->weight, &status);
+    FN(cap_direction)(&w, p.x, p.y, p.z, out->direction, out->direction + 1, out->direction + 2);
+    FN(cap_surface)(&w, out->direction, p.x, p.y, p.z,
+                    FN(cap_depth)(&w, p.x, p.height, p.power), out->point, out->normal,
+                    &out->distance);
+    return status;
+}
+
+/* ---- Blocks ---- */
+
+struct FN(psc_cap_points) {
+    real x[PSC_BLOCK], y[PSC_BLOCK], z[PSC_BLOCK], height[PSC_BLOCK], power[PSC_BLOCK];
+    real pdf[PSC_BLOCK], inverse[PSC_BLOCK];
+};
+
+#define CAP_STORE(to, i, p)         \
+    do {                            \
+        (to)->x[i] = (p).x;         \
+        (to)->y[i] = (p).y;         \
+        (to)->z[i] = (p).z;         \
+        (to)->height[i] = (p).height; \
+        (to)->power[i] = (p).power; \
+    } while (0)
+
+#define CAP_BLOCK(name, lane, native)                                                          \
+    static void FN(block_##lane)(const struct psc_side *side, size_t n,                        \
+                                 const real *restrict u, const real *restrict v,               \
+                                 struct FN(psc_cap_points) *restrict to)                       \
+    {                                                                                          \
+        const struct FN(psc_lobe) l = CAP_LOBE(side);                                          \
+        const struct psc_lobe_f64 wide = side->lobe;                                           \
+        size_t i;                                                                              \
+                                                                                               \
+        (void)l, (void)wide;                                                                   \
+        for (i = 0; i < n; i++) {                                                              \
+            struct FN(psc_point) p;                                                            \
+                                                                                               \
+            CAP_NATIVE(native, lane, &l, &wide, u[i], v[i], &p);                               \
+            CAP_STORE(to, i, p);                                                               \
+        }                                                                                      \
+    }
+PSC_CAP_MAPS(CAP_BLOCK)
+#undef CAP_BLOCK
+
+#define AREA_BLOCK(lane)                                                                       \
+    static void FN(block_##lane)(const struct psc_side *side, size_t n,                        \
+                                 const real *restrict u, const real *restrict v,               \
+                                 struct FN(psc_cap_points) *restrict to)                       \
+    {                                                                                          \
+        const struct FN(psc_lobe) l = CAP_LOBE(side);                                          \
+        size_t i;                                                                              \
+                                                                                               \
+        for (i = 0; i < n; i++) {                                                              \
+            struct FN(psc_point) p;                                                            \
+            real pdf, inverse;                                                                 \
+                                                                                               \
+            FN(lane)(&l, u[i], v[i], &p, &pdf, &inverse);                                      \
+            CAP_STORE(to, i, p);                                                               \
+            to->pdf[i] = pdf;                                                                  \
+            to->inverse[i] = inverse;                                                          \
+        }                                                                                      \
+    }
+AREA_BLOCK(radial_area)
+AREA_BLOCK(concentric_area)
+#undef AREA_BLOCK
+
+typedef void (*FN(cap_block))(const struct psc_side *, size_t, const real *, const real *,
+                              struct FN(psc_cap_points) *);
+#define CAP_ROW(name, lane, native) FN(block_##lane),
+static const FN(cap_block) FN(cap_blocks)[] = {
+    PSC_CAP_MAPS(CAP_ROW) FN(block_radial_area), FN(block_concentric_area)};
+#undef CAP_ROW
+
+/* The wanted results of a block of points on one side. */
+static void FN(cap_finish)(const psc_sampler *s, const struct psc_side *side, size_t n,
+                           const struct FN(psc_cap_points) *p, int surface,
+                           struct FN(psc_results) *r)
+{
+    const int area = side->map >= PSC_CAP_RADIAL_AREA;
+    const struct FN(psc_lobe) l = CAP_LOBE(side);
+    struct FN(psc_cap_world) w;
+    real(*to)[PSC_BLOCK] = r->value;
+    size_t i;
+
+    FN(cap_world)(s, side, &w);
+    for (i = 0; i < n; i++)
+        FN(cap_direction)(&w, p->x[i], p->y[i], p->z[i], &to[0][i], &to[1][i], &to[2][i]);
+    if (area) {
+        for (i = 0; i < n; i++) {
+            to[PSC_PDF][i] = p->pdf[i];
+            r->status[i] = FN(area_density)(&w, p->height[i], p->pdf[i], p->inverse[i],
+                                            &to[PSC_WEIGHT][i]);
+        }
+    } else {
+        for (i = 0; i < n; i++)
+            FN(cap_density)(&w, p->height[i], &to[PSC_PDF][i], &to[PSC_WEIGHT][i],
+                            &r->status[i]);
+    }
+    if (!surface)
+        return;
+    for (i = 0; i < n; i++) {
+        real direction[3] = {to[0][i], to[1][i], to[2][i]}, point[3], normal[3], distance;
+        int c;
+
+        if (area)
+            FN(area_surface)(&w, &l, p->x[i], p->y[i], p->power[i], point, normal, &distance);
+        else
+            FN(cap_surface)(&w, direction, p->x[i], p->y[i], p->z[i],
+                            FN(cap_depth)(&w, p->x[i], p->height[i], p->power[i]), point, normal,
+                            &distance);
+        for (c = 0; c < 3; c++) {
+            to[PSC_POINT + c][i] = point[c];
+            to[PSC_NORMAL + c][i] = normal[c];
+        }
+        to[PSC_DISTANCE][i] = distance;
+        to[PSC_SURFACE][i] = to[PSC_SURFACE + 1][i] = K(0.0);
+    }
+}
+
+static void FN(cap_sample_n)(const psc_sampler *s, size_t count, const FN(psc_input) *uv,
+                             const FN(psc_samples) *out)
+{
+    const int surface = FN(wanted)(&out->point, 3) || FN(wanted)(&out->normal, 3) ||
+                        FN(wanted)(&out->distance, 1) || FN(wanted)(&out->surface, 2);
+    real u[PSC_BLOCK], v[PSC_BLOCK], pu[2][PSC_BLOCK], pv[2][PSC_BLOCK];
+    struct FN(psc_cap_points) points;
+    struct FN(psc_results) results;
+    uint32_t index[2][PSC_BLOCK];
+    size_t first, n, i;
+
+    for (first = 0; first < count; first += n) {
+        n = MIN(count - first, PSC_BLOCK);
+        FN(gather)(uv->component[0], uv->stride, first, n, u);
+        FN(gather)(uv->component[1], uv->stride, first, n, v);
+        if (s->sides == 1) {
+            FN(cap_blocks)[s->side[0].map](s->side, n, u, v, &points);
+            FN(cap_finish)(s, s->side, n, &points, surface, &results);
+            FN(scatter_results)(out, &results, first, NULL, n);
+        } else {
+            size_t part[2] = {0, 0};
+            int k;
+
+            for (i = 0; i < n; i++) {
+                real within;
+
+                k = FN(cap_pick_side)(s, u[i], &within);
+                pu[k][part[k]] = within;
+                pv[k][part[k]] = v[i];
+                index[k][part[k]++] = (uint32_t)i;
+            }
+            for (k = 0; k < 2; k++) {
+                FN(cap_blocks)[s->side[k].map](s->side + k, part[k], pu[k], pv[k], &points);
+                FN(cap_finish)(s, s->side + k, part[k], &points, surface, &results);
+                FN(scatter_results)(out, &results, first, index[k], part[k]);
+            }
+        }
+    }
+}

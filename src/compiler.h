@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* What the code asks of the compiler beyond C11. */
+#ifndef PSC_SRC_COMPILER_H
+#define PSC_SRC_COMPILER_H
+
+#include <float.h>
+
+#if defined(__FAST_MATH__)
+#error "libpsc promises the same bits everywhere: build it without -ffast-math"
+#endif
+#if defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
+#error "libpsc needs arithmetic in the precision of its operands (on i686: -msse2 -mfpmath=sse)"
+#endif
+
+/* A lane function: straight-line arithmetic for one sample, which loops inline and vectorise. */
+#if defined(__GNUC__)
+#define PSC_LANE static inline __attribute__((always_inline))
+#else
+#define PSC_LANE static inline
+#endif
+
+#endif

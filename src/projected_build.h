@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Totals of the projected cap (equations 27 to 29 of [UG18]) and the common part of a lobe. */
+#ifndef PSC_SRC_PROJECTED_BUILD_H
+#define PSC_SRC_PROJECTED_BUILD_H
+
+#include "lobe.h"
+#include "lune_map.h"
+#include "parallel_map.h"
+
+/* What every map by projected solid angle needs: nothing in it cancels. */
+PSC_LANE void projected_base(struct psc_lobe_f64 *l, const struct psc_cap *cap)
+{
+    const double cb_ca = cap->cos_a * cap->sin_b;
+
+    l->sin_a = cap->sin_a;
+    l->cos_a = cap->cos_a;
+    l->sin_b = cap->sin_b;
+    l->cos_b = cap->cos_b;
+    l->q2 = cap->q2;
+    l->h0 = cap->sin_a * cap->sin_a / (1.0 + cap->cos_a);
+    l->x_e = cap->cos_a * cap->cos_b;
+    l->ome2 = cap->sin_a * cap->sin_a + cb_ca * cb_ca;
+    l->del = l->ome2 / (1.0 + l->x_e);
+    l->zc = cap->cos_b * cap->sin_a;
+}
+
+PSC_LANE void ellipse_build(struct psc_lobe_f64 *l)
+{
+    l->low = -l->q2 / (l->sin_b * l->cos_a + l->zc);
+    l->total = PSC_PI * (l->sin_a * l->sin_a) * l->sin_b;
+}
+
+/* Ellipse and lune: the circle's sector up to psi_l, then the ellipse's. Sums of positive
+   terms. Returns sqrt(q2). */
+PSC_LANE double both_build(struct psc_lobe_f64 *l)
+{
+    const double q = SQRT(l->q2), ellipse = l->sin_a * l->sin_a * l->sin_b;
+    const double theta_l = twice_atan(q / (l->sin_a * l->cos_b + l->cos_a * l->sin_b));
+    double psi2, sector;
+
+    l->v0 = l->q2 / (l->cos_a + l->cos_b);
+    l->psi_l = twice_atan(q / (l->cos_a + l->cos_b));
+    psi2 = l->psi_l * l->psi_l;
+    sector = l->del * l->psi_l + l->x_e * (l->psi_l * psi2 * sine_polynomial_f64(psi2));
+    l->total = sector + ellipse * (PSC_PI - theta_l);
+    l->circle = sector / l->total;
+    return q;
+}
+
+/* Lune: at its tip the chord and v are 0, which leaves of both maps' areas the same
+   2/3 sin^3 psi_l (N(psi_l) (1 - |sin beta| / sin alpha) - ...). Returns sqrt(q2). */
+PSC_LANE double lune_build(struct psc_lobe_f64 *l)
+{
+    const double q = SQRT(l->q2);
+    const double sine = q / l->cos_b;
+    struct chord tip;
+
+    l->v0 = l->q2 / (l->cos_a + l->cos_b);
+    l->psi_l = twice_atan(q / (l->cos_a + l->cos_b));
+    l->k = -l->sin_a * l->sin_b;
+    l->thickness = l->q2 / (l->sin_a * (l->sin_a - l->sin_b));
+    tip.sine = sine / l->sin_a;
+    tip.cosine = -l->sin_b * l->cos_a / (l->sin_a * l->cos_b);
+    tip.y = sine;
+    tip.cos_psi = l->cos_a / l->cos_b;
+    tip.length = 0.0;
+    l->total = chord_area(l, &tip);
+    return q;
+}
+
+/* Completes a lobe of the case "ellipse and lune" for radial_both(): the start value of Kepler's
+   equation, a rational function fitted at 0.45 psi_l and 0.8 psi_l. */
+PSC_LANE void radial_both_build(struct psc_lobe_f64 *l)
+{
+    const double psi_l = l->psi_l, psi2 = psi_l * psi_l;
+    const double p_l = psi_l * psi2 * sine_polynomial_f64(psi2);
+    const double linear = l->del * psi_l, ellipse = l->sin_a * l->sin_a * l->sin_b;
+    const double sector = linear + l->x_e * p_l;
+    static const double nodes[2] = {0.45, 0.8};
+    double q[2], g[2];
+    int i;
+
+    l->per_ellipse = ellipse > 0.0 ? l->total / ellipse : 0.0;
+    l->per_circle = l->circle > 0.0 ? 1.0 / l->circle : 0.0;
+    l->m = linear > 0.0 ? l->x_e * p_l / linear : 0.0;
+    l->b1 = 0.0;
+    l->c1 = 0.0;
+    if (!(l->m >= 1e-12))
+        return;
+    for (i = 0; i < 2; i++) {
+        const double y = nodes[i], psi = y * psi_l, p = psi * psi * psi * sine_polynomial_f64(psi * psi);
+        const double sum = l->del * psi + l->x_e * p, share = sum / sector;
+
+        q[i] = share * share;
+        g[i] = l->x_e * (y * p_l - p) / (sum * (1.0 - q[i]) * l->m);
+    }
+    l->b1 = ((g[0] - 1.0) / q[0] - (g[1] - 1.0) / q[1]) / (g[1] - g[0]);
+    l->b1 = MIN(MAX(l->b1, 0.0), 3.0);
+    l->c1 = (g[0] * (1.0 + l->b1 * q[0]) - 1.0) / q[0];
+}
+
+#endif

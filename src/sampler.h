@@ -1,0 +1,172 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The handle, and what a shape and a kernel have to supply. */
+#ifndef PSC_SRC_SAMPLER_H
+#define PSC_SRC_SAMPLER_H
+
+#include <psc/psc.h>
+
+#include "lobe.h"
+
+/* The maps of a cap, from spheres and distant lights alike: name, lane function, and whether
+   float arithmetic holds its accuracy (1) or the float kernel works in double (0). */
+#define PSC_CAP_MAPS(X)                     \
+    X(RADIAL_CONE, radial_cone, 1)          \
+    X(CONCENTRIC_CONE, concentric_cone, 1)  \
+    X(RADIAL_ELLIPSE, radial_ellipse, 1)    \
+    X(RADIAL_BOTH, radial_both, 1)          \
+    X(RADIAL_LUNE, radial_lune, 0)          \
+    X(PARALLEL_ELLIPSE, parallel_ellipse, 1) \
+    X(PARALLEL_BOTH, parallel_both, 0)      \
+    X(PARALLEL_LUNE, parallel_lune, 0)      \
+    X(CONCENTRIC_ELLIPSE, concentric_ellipse, 1) \
+    X(CONCENTRIC_BOTH, concentric_both, 0)  \
+    X(CONCENTRIC_LUNE, concentric_lune, 0)
+
+#define PSC_CAP_ENUM(name, lane, native) PSC_CAP_##name,
+enum psc_cap_map {
+    PSC_CAP_MAPS(PSC_CAP_ENUM)
+    PSC_CAP_RADIAL_AREA,
+    PSC_CAP_CONCENTRIC_AREA
+};
+#undef PSC_CAP_ENUM
+
+/* The part of a light above one side of the receiver's plane, and the frame of its lobe. */
+struct psc_side {
+    struct psc_lobe_f64 lobe;
+    double x[3], y[3], z[3], axis[3];
+    enum psc_cap_map map;
+};
+
+/* What becomes of a cosine: none without a normal, one side, or both sides of the plane. */
+enum psc_facing { PSC_FACING_NONE, PSC_FACING_ONE, PSC_FACING_BOTH };
+
+struct psc_kernel_f32;
+struct psc_kernel_f64;
+struct psc_shape_row;
+
+struct psc_sampler {
+    psc_allocator allocator; /* of this sampler; struct_size 0 when it owns nothing */
+
+    const struct psc_kernel_f32 *f32; /* bound when built */
+    const struct psc_kernel_f64 *f64;
+    const struct psc_shape_row *shape; /* NULL: nothing built */
+    psc_measure measure;
+    psc_map map;
+    psc_case visibility;
+    enum psc_facing facing;
+    int projected; /* pdf is proportional to the cosine */
+
+    double position[3];
+    double total, inverse_total;
+
+    /* Of the sphere; a distant light has radius 0 and the distance infinity. */
+    double center[3], offset[3]; /* offset: centre minus position */
+    double radius, distance;
+    int inside;
+
+    struct psc_cap cap; /* for the totals in other measures */
+    int sides;          /* 0, 1 or 2 */
+    double split;       /* share of u of the first side */
+    struct psc_side side[2];
+};
+
+_Static_assert(sizeof(struct psc_sampler) <= sizeof(psc_sampler_storage), "storage too small");
+_Static_assert(_Alignof(struct psc_sampler) <= _Alignof(psc_sampler_storage), "misaligned");
+
+/* The receiver and technique of a call, checked and copied. */
+struct psc_view {
+    psc_measure measure;
+    psc_map map;
+    double position[3];
+    double normal[3]; /* scaled by a power of two to a length near 1 */
+    enum psc_facing facing;
+};
+
+psc_result psc_read_allocator(const psc_allocator *from, psc_allocator *to);
+psc_result psc_read_technique(const psc_technique *technique, struct psc_view *view);
+psc_result psc_read_receiver(const psc_receiver *receiver, struct psc_view *view);
+psc_result psc_check_receiver(uint32_t flags, const double *position, const double *normal,
+                              struct psc_view *view);
+
+/* For psc_samples_f32 and _f64: the size and the reserved field. */
+psc_result psc_check_samples(const void *samples, size_t size);
+
+static inline void psc_put_status(const psc_output_result *to, size_t i, psc_result status)
+{
+    if (to->data)
+        *(psc_result *)(void *)((char *)to->data + (ptrdiff_t)i * to->stride) = status;
+}
+
+static inline void psc_fill_status(const psc_output_result *to, size_t count, psc_result status)
+{
+    size_t i;
+
+    for (i = 0; i < count; i++)
+        psc_put_status(to, i, status);
+}
+
+#define PSC_MAX_GEOMETRY 4
+
+/* What a shape supplies: the row that stands for it everywhere. */
+struct psc_shape_row {
+    psc_shape shape;
+    const char *parts; /* of its geometry: v for a vector, s for a scalar; in all at most
+                          PSC_MAX_GEOMETRY numbers */
+    /* Fills a cleared sampler, whose position and technique are set; numbers are finite. */
+    psc_result (*build)(psc_sampler *sampler, const struct psc_view *view,
+                        const double *geometry);
+    psc_result (*solid_angle)(const psc_sampler *sampler, double *value);
+    psc_result (*projected_solid_angle)(const psc_sampler *sampler, double *value);
+    psc_result (*area)(const psc_sampler *sampler, double *value);
+    /* In double for both precisions; epsilon is that of the direction. */
+    double (*pdf)(const psc_sampler *sampler, const double direction[3], double epsilon);
+    psc_result (*invert)(const psc_sampler *sampler, const double direction[3], double epsilon,
+                         double uv[2]);
+};
+
+extern const struct psc_shape_row psc_shape_sphere, psc_shape_cap;
+
+/* Leaves the sampler empty: safe to sample, pdf 0. */
+void psc_clear(psc_sampler *sampler);
+
+/* Builds any shape from checked parts. */
+psc_result psc_build_view(psc_sampler *sampler, const struct psc_shape_row *shape,
+                          const struct psc_view *view, const double *geometry);
+
+/* Builds any shape from pointers to its parts: what the public build calls are. */
+psc_result psc_build(psc_sampler *sampler, const struct psc_shape_row *shape,
+                     const psc_technique *technique, const psc_receiver *receiver,
+                     const double *const parts[]);
+
+/* Builds and samples any shape for each element: what the public wavefront calls are. */
+psc_result psc_wavefront_f64(const struct psc_shape_row *shape, const psc_technique *technique,
+                             size_t count, const psc_receivers_f64 *receivers,
+                             const psc_input_f64 *const parts[], const psc_input_f64 *uv,
+                             const psc_samples_f64 *out);
+psc_result psc_wavefront_f32(const struct psc_shape_row *shape, const psc_technique *technique,
+                             size_t count, const psc_receivers_f32 *receivers,
+                             const psc_input_f32 *const parts[], const psc_input_f32 *uv,
+                             const psc_samples_f32 *out);
+
+/* What a kernel supplies for one family of lights, per precision and instruction set. */
+struct psc_kernel_f64 {
+    psc_result (*sample)(const psc_sampler *sampler, double u, double v,
+                         psc_light_sample_f64 *sample);
+    void (*sample_n)(const psc_sampler *sampler, size_t count, const psc_input_f64 *uv,
+                     const psc_samples_f64 *out);
+};
+
+struct psc_kernel_f32 {
+    psc_result (*sample)(const psc_sampler *sampler, float u, float v,
+                         psc_light_sample_f32 *sample);
+    void (*sample_n)(const psc_sampler *sampler, size_t count, const psc_input_f32 *uv,
+                     const psc_samples_f32 *out);
+};
+
+enum psc_family { PSC_FAMILY_CAP, PSC_FAMILY_COUNT };
+
+/* The kernels for this CPU. */
+const struct psc_kernel_f64 *psc_dispatch_f64(enum psc_family family);
+const struct psc_kernel_f32 *psc_dispatch_f32(enum psc_family family);
+
+#endif

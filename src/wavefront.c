@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* One build and one sample per element, in both precisions. */
+#include "sampler.h"
+
+#define PSC_BITS 64
+#include "precision.h"
+#include "results_tmpl.h"
+#include "wavefront_tmpl.h"
+
+#undef PSC_BITS
+#define PSC_BITS 32
+#include "precision.h"
+#include "results_tmpl.h"
+#include "wavefront_tmpl.h"
