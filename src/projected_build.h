@@ -26,7 +26,8 @@ PSC_LANE void projected_base(struct psc_lobe_f64 *l, const struct psc_cap *cap)
 
 PSC_LANE void ellipse_build(struct psc_lobe_f64 *l)
 {
-    l->low = -l->q2 / (l->sin_b * l->cos_a + l->zc);
+    /* The guard serves the whole hemisphere, where the ends of 0/0 are all 0. */
+    l->low = -l->q2 / (l->sin_b * l->cos_a + l->zc + 1e-300);
     l->total = PSC_PI * (l->sin_a * l->sin_a) * l->sin_b;
 }
 
