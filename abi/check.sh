@@ -20,7 +20,8 @@ dump() {
     abidw --headers-dir "$2" --drop-private-types --exported-interfaces-only --no-show-locs \
         --no-comp-dir-path --no-corpus-path --no-elf-needed --no-parameter-names \
         --type-id-style hash --out-file "$3.raw" "$1"
-    sed "s/ path='[^']*' language='[^']*'//" "$3.raw" > "$3"
+    sed "/<abi-instr/ { s/ path='.*\/\([^']*\)'/ path='\1'/; s/ language='[^']*'//; }" \
+        "$3.raw" > "$3"
     rm "$3.raw"
     names=$(list "$1" | grep -cv '^soname')
     typed=$(grep -c '<function-decl .*elf-symbol-id=' "$3")
