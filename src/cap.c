@@ -78,7 +78,10 @@ static psc_result see_cap(const struct psc_view *view, const double axis[3], dou
             perpendicular(frame->normal, frame->sideways);
         cap->sin_b = (up + up_low) * both;
         cap->cos_b = reach * both;
-        cap->q2 = (cap->sin_a - ABS(cap->sin_b)) * (cap->sin_a + ABS(cap->sin_b));
+        /* sin^2 alpha - sin^2 beta, from whichever pair is smaller. */
+        cap->q2 = ABS(cap->sin_b) <= cap->cos_b
+                      ? (cap->sin_a - ABS(cap->sin_b)) * (cap->sin_a + ABS(cap->sin_b))
+                      : (cap->cos_b - ABS(cap->cos_a)) * (cap->cos_b + ABS(cap->cos_a));
     }
     return half_angle > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
 }

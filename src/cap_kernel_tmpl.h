@@ -182,13 +182,12 @@ PSC_LANE int FN(cap_pick_side)(const psc_sampler *s, real u, real *within)
 #endif
 
 /* The area maps: pdf, weight and surface point follow from w, not from the direction. */
-PSC_LANE psc_result FN(area_density)(const struct FN(psc_cap_world) *w, real height, real pdf,
+PSC_LANE psc_result FN(area_density)(const struct FN(psc_cap_world) *w, real height,
                                      real inverse, real *weight)
 {
     const real cosine = FN(cap_cosine)(w, height);
 
     *weight = cosine * inverse;
-    (void)pdf;
     return inverse > K(0.0) && cosine > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
 }
 
@@ -235,7 +234,7 @@ static psc_result FN(cap_sample)(const psc_sampler *s, real u, real v,
             FN(radial_area)(&l, u, v, &p, &out->pdf, &inverse);
         else
             FN(concentric_area)(&l, u, v, &p, &out->pdf, &inverse);
-        status = FN(area_density)(&w, p.height, out->pdf, inverse, &out->weight);
+        status = FN(area_density)(&w, p.height, inverse, &out->weight);
         FN(cap_direction)(&w, p.x, p.y, p.z, out->direction, out->direction + 1,
                           out->direction + 2);
         FN(area_surface)(&w, &l, p.x, p.y, p.power, out->point, out->normal, &out->distance);
@@ -316,42 +315,79 @@ static const FN(cap_block) FN(cap_blocks)[] = {
     PSC_CAP_MAPS(CAP_ROW) FN(block_radial_area), FN(block_concentric_area)};
 #undef CAP_ROW
 
-/* The wanted results of a block of points on one side. */
-static void FN(cap_finish)(const psc_sampler *s, const struct psc_side *side, size_t n,
-                           const struct FN(psc_cap_points) *p, int surface,
-                           struct FN(psc_results) *r)
+/* pdf, weight and status of a block: what does not vary is a loop of its own, so that all of
+   them become vector code. */
+static void FN(cap_densities)(const struct FN(psc_cap_world) *w, size_t n,
+                              const struct FN(psc_cap_points) *restrict p, int area,
+                              struct FN(psc_results) *restrict r)
 {
-    const int area = side->map >= PSC_CAP_RADIAL_AREA;
-    const struct FN(psc_lobe) l = CAP_LOBE(side);
-    struct FN(psc_cap_world) w;
+    real *pdf = r->value[PSC_PDF], *weight = r->value[PSC_WEIGHT];
+    psc_result *status = r->status;
+    size_t i;
+
+    if (area) {
+        for (i = 0; i < n; i++) {
+            pdf[i] = p->pdf[i];
+            status[i] = FN(area_density)(w, p->height[i], p->inverse[i], &weight[i]);
+        }
+    } else if (w->projected) {
+        const real total = w->total, inverse = w->inverse_total;
+
+        for (i = 0; i < n; i++)
+            pdf[i] = p->height[i] * inverse;
+        for (i = 0; i < n; i++)
+            weight[i] = total;
+        for (i = 0; i < n; i++)
+            status[i] = PSC_SUCCESS;
+    } else {
+        const real total = w->total, inverse = w->inverse_total;
+
+        for (i = 0; i < n; i++)
+            pdf[i] = inverse;
+        for (i = 0; i < n; i++)
+            status[i] = PSC_SUCCESS;
+        if (w->facing == PSC_FACING_NONE)
+            for (i = 0; i < n; i++)
+                weight[i] = total;
+        else if (w->facing == PSC_FACING_BOTH)
+            for (i = 0; i < n; i++)
+                weight[i] = total * ABS(p->height[i]);
+        else
+            for (i = 0; i < n; i++) {
+                weight[i] = total * MAX(p->height[i], K(0.0));
+                status[i] = p->height[i] > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
+            }
+    }
+}
+
+static void FN(cap_directions)(const struct FN(psc_cap_world) *w, size_t n,
+                               const struct FN(psc_cap_points) *restrict p,
+                               struct FN(psc_results) *restrict r)
+{
+    const struct FN(psc_cap_world) own = *w;
+    size_t i;
+
+    for (i = 0; i < n; i++)
+        FN(cap_direction)(&own, p->x[i], p->y[i], p->z[i], &r->value[0][i], &r->value[1][i],
+                          &r->value[2][i]);
+}
+
+static void FN(cap_surfaces)(const struct FN(psc_cap_world) *w, const struct FN(psc_lobe) *l,
+                             size_t n, const struct FN(psc_cap_points) *restrict p, int area,
+                             struct FN(psc_results) *restrict r)
+{
     real(*to)[PSC_BLOCK] = r->value;
     size_t i;
 
-    FN(cap_world)(s, side, &w);
-    for (i = 0; i < n; i++)
-        FN(cap_direction)(&w, p->x[i], p->y[i], p->z[i], &to[0][i], &to[1][i], &to[2][i]);
-    if (area) {
-        for (i = 0; i < n; i++) {
-            to[PSC_PDF][i] = p->pdf[i];
-            r->status[i] = FN(area_density)(&w, p->height[i], p->pdf[i], p->inverse[i],
-                                            &to[PSC_WEIGHT][i]);
-        }
-    } else {
-        for (i = 0; i < n; i++)
-            FN(cap_density)(&w, p->height[i], &to[PSC_PDF][i], &to[PSC_WEIGHT][i],
-                            &r->status[i]);
-    }
-    if (!surface)
-        return;
     for (i = 0; i < n; i++) {
         real direction[3] = {to[0][i], to[1][i], to[2][i]}, point[3], normal[3], distance;
         int c;
 
         if (area)
-            FN(area_surface)(&w, &l, p->x[i], p->y[i], p->power[i], point, normal, &distance);
+            FN(area_surface)(w, l, p->x[i], p->y[i], p->power[i], point, normal, &distance);
         else
-            FN(cap_surface)(&w, direction, p->x[i], p->y[i], p->z[i],
-                            FN(cap_depth)(&w, p->x[i], p->height[i], p->power[i]), point, normal,
+            FN(cap_surface)(w, direction, p->x[i], p->y[i], p->z[i],
+                            FN(cap_depth)(w, p->x[i], p->height[i], p->power[i]), point, normal,
                             &distance);
         for (c = 0; c < 3; c++) {
             to[PSC_POINT + c][i] = point[c];
@@ -359,6 +395,24 @@ static void FN(cap_finish)(const psc_sampler *s, const struct psc_side *side, si
         }
         to[PSC_DISTANCE][i] = distance;
         to[PSC_SURFACE][i] = to[PSC_SURFACE + 1][i] = K(0.0);
+    }
+}
+
+/* The results of a block of points on one side. */
+static void FN(cap_finish)(const psc_sampler *s, const struct psc_side *side, size_t n,
+                           const struct FN(psc_cap_points) *p, int surface,
+                           struct FN(psc_results) *r)
+{
+    const int area = side->map >= PSC_CAP_RADIAL_AREA;
+    struct FN(psc_cap_world) w;
+
+    FN(cap_world)(s, side, &w);
+    FN(cap_directions)(&w, n, p, r);
+    FN(cap_densities)(&w, n, p, area, r);
+    if (surface) {
+        const struct FN(psc_lobe) l = CAP_LOBE(side);
+
+        FN(cap_surfaces)(&w, &l, n, p, area, r);
     }
 }
 

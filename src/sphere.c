@@ -54,19 +54,23 @@ static int see_sphere(struct view_of_sphere *o, const struct psc_view *view,
         o->cap.cos_b = 0.0;
         o->cap.q2 = 0.0;
     } else {
-        double across[3], along[3], n[3], length, height, reach, up = 0.0, up_low = 0.0;
+        double across[3], along[3], reach, height, height_low;
+        double up = 0.0, up_low = 0.0, n2 = 0.0, n2_low = 0.0, length;
+        const double *n = view->normal;
 
-        length = SQRT(dot(view->normal, view->normal));
         for (i = 0; i < 3; i++) {
-            n[i] = view->normal[i];
-            o->frame.normal[i] = n[i] / length;
             add_product(n[i], o->offset[i], &up, &up_low);
+            add_product(n[i], n[i], &n2, &n2_low);
         }
-        height = (up + (up_low + dot(n, low))) / length;
+        up_low += dot(n, low);
+        length = SQRT(n2);
+        divide_by_root(up, up_low, n2, n2_low, length, &height, &height_low);
         cross(n, o->offset, across);
         cross(n, low, along);
-        for (i = 0; i < 3; i++)
+        for (i = 0; i < 3; i++) {
+            o->frame.normal[i] = n[i] / length;
             across[i] += along[i];
+        }
         reach = SQRT(dot(across, across));
         if (o->distance == 0.0) {
             memcpy(o->frame.axis, o->frame.normal, sizeof o->frame.axis);
@@ -80,8 +84,13 @@ static int see_sphere(struct view_of_sphere *o, const struct psc_view *view,
             perpendicular(o->frame.normal, o->frame.sideways);
         o->cap.sin_b = height * inverse;
         o->cap.cos_b = reach / length * inverse;
-        height = ABS(height);
-        o->cap.q2 = (o->radius - height) * (o->radius + height) * (inverse * inverse);
+        if (height < 0.0) {
+            height = -height;
+            height_low = -height_low;
+        }
+        /* How far the horizon is inside the sphere decides what is left of a thin lune. */
+        o->cap.q2 = ((o->radius - height) - height_low) * (o->radius + height) *
+                    (inverse * inverse);
     }
     return is_finite(o->distance);
 }

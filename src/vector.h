@@ -84,6 +84,20 @@ PSC_LANE void add_product(double a, double b, double *high, double *low)
     *low += e + f;
 }
 
+/* (a + a_low) / sqrt(b + b_low) as *high + *low, given root = sqrt(b) as rounded. */
+PSC_LANE void divide_by_root(double a, double a_low, double b, double b_low, double root,
+                             double *high, double *low)
+{
+    const double q = (a + a_low) / root;
+    double p, e, root_low;
+
+    two_product(root, root, &p, &e);
+    root_low = ((b - p) - e + b_low) / (2.0 * root);
+    two_product(q, root, &p, &e);
+    *low = ((a - p) - e + a_low - q * root_low) / root;
+    *high = q;
+}
+
 /* a b - c d to 1.5 ulp. */
 PSC_LANE double product_difference(double a, double b, double c, double d)
 {
