@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * The benchmark: jobs that all take samples of the same lights, run in turn over and over, so
+ * that what else the machine does falls on all of them alike; medians, and ratios of medians.
+ */
+#ifndef PSC_TESTS_BENCH_H
+#define PSC_TESTS_BENCH_H
+
+#include <stddef.h>
+#include <stdio.h>
+
+#include <psc/psc.h>
+
+#include "../variants.h"
+
+/* ---- The lights that are sampled: stage.c ---- */
+
+/* Lights of one elevation and half-angle seen by receivers of all orientations and scales, or
+   the mix that the surfaces of a Cornell box see of four spheres. */
+enum { CASE_ELLIPSE, CASE_MIXED, CASE_LUNE, CASE_THIN, CASE_SUN, CASE_CORNELL, CASES };
+
+extern const struct bench_case {
+    const char *name, *text;
+    double alpha, beta;
+} bench_cases[CASES];
+
+enum { STAGE_MANY = 1024, STAGE_MAX = 4096 };
+
+/* Elements in separate arrays, not a power of two apart. */
+#define STAGE(bits, type)                                                         \
+    struct stage_f##bits {                                                        \
+        size_t count;                                                             \
+        type position[3][STAGE_MAX + 40], normal[3][STAGE_MAX + 40];               \
+        type center[3][STAGE_MAX + 40], radius[STAGE_MAX + 40];                   \
+        type u[STAGE_MAX + 40], v[STAGE_MAX + 40];                                \
+        type direction[3][STAGE_MAX + 40], pdf[STAGE_MAX + 40]; /* what comes out */ \
+    };
+STAGE(32, float)
+STAGE(64, double)
+
+extern struct stage_f32 stages_f32[CASES];
+extern struct stage_f64 stages_f64[CASES];
+
+void make_stages(void);
+
+/* How many elements of the Cornell mix are in each psc_case. */
+void count_cornell(size_t counts[6]);
+
+/* ---- The jobs: jobs.c ---- */
+
+enum regime { REGIME_MANY, REGIME_FOUR, REGIME_ONE, REGIME_WAVEFRONT, REGIMES };
+
+extern const char *const regime_names[REGIMES], *const regime_texts[REGIMES];
+
+struct job {
+    enum regime regime;
+    const char *method; /* what is sampled, and by whom */
+    const char *how;    /* which calls, or the instruction set of the loop */
+    int which, bits;
+    size_t (*run)(struct job *job); /* returns the number of samples */
+    psc_technique technique;
+    const struct variant *variant;
+    size_t turn; /* which light is next */
+
+    size_t repeat;            /* runs in one timing */
+    double *times;            /* ns per sample, one of each round; sorted in the end */
+    double median, low, high; /* and the quartiles */
+};
+
+extern struct job jobs[];
+extern size_t job_count;
+
+void make_jobs(void);
+
+/* ---- Timing: measure.c ---- */
+
+#define SLICE 4e5 /* ns of one timing, of which the clock is a small part */
+
+/* Sets repeat so that a timing takes a slice; also warms up. */
+void calibrate_job(struct job *job);
+
+/* One timing: ns per sample. */
+double time_job(struct job *job);
+
+/* Runs every job in each round, in turns; fills the medians. 0 if memory runs out. */
+int measure_jobs(size_t rounds);
+
+/* The median of a job, or 0 if there is none such; how NULL: of the fastest way. */
+double median_of(enum regime regime, const char *method, const char *how, int which, int bits);
+
+/* ---- CDF errors: errors.c ---- */
+
+/* The largest errors in t of samples of a case, told by the library's inverse. */
+struct cdf_error {
+    const char *method;
+    int which, bits;
+    double paper, library;
+};
+
+enum { CDF_ERRORS = 2 * 2 * CASE_CORNELL };
+
+extern struct cdf_error cdf_errors[CDF_ERRORS];
+
+void measure_errors(void);
+
+/* ---- What is printed: machine.c, report.c, bars.c ---- */
+
+struct machine {
+    char cpu[128];
+    const char *compiler, *flags;
+};
+
+void describe_machine(struct machine *machine);
+void print_tables(FILE *to, const struct machine *machine, size_t rounds);
+void print_json(FILE *to, const struct machine *machine, size_t rounds);
+
+/* The bars: ratios that the kernels are meant to reach. */
+void print_bars(FILE *to);
+void print_bars_json(FILE *to);
+
+#endif

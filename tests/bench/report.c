@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "bench.h"
+
+#include <string.h>
+
+/* What the figures of a regime are compared with. */
+static double baseline(const struct job *j)
+{
+    if (j->regime == REGIME_FOUR || j->regime == REGIME_ONE)
+        return median_of(j->regime, "cone", "libm", j->which, j->bits);
+    return median_of(j->regime, "cone", variant_best()->name, j->which, j->bits);
+}
+
+static const char *baseline_text(enum regime regime)
+{
+    return regime == REGIME_FOUR || regime == REGIME_ONE ? "cone sampling with libm"
+                                                         : "the library's own cone sampling";
+}
+
+static void print_machine(FILE *to, const struct machine *machine, size_t rounds)
+{
+    size_t counts[6], v;
+
+    fprintf(to, "cpu:      %s\ncompiler: %s\nflags:    %s\n", machine->cpu, machine->compiler,
+            machine->flags);
+    fprintf(to, "library:  0x%x, kernels", (unsigned)psc_version());
+    for (v = 0; v < variant_count; v++)
+        fprintf(to, " %s%s", variants[v].name, variants[v].runs() ? "" : " (not on this cpu)");
+    fprintf(to, ", of which it takes %s\n", variant_best()->name);
+    fprintf(to, "rounds:   %zu, medians of CPU time, ns per sample with direction and pdf\n",
+            rounds);
+    for (v = 0; v < CASES; v++)
+        fprintf(to, "%-9s %s\n", bench_cases[v].name, bench_cases[v].text);
+    count_cornell(counts);
+    fprintf(to, "          %zu elements: %zu below the horizon, %zu ellipse, %zu ellipse and "
+                "lune, %zu lune, %zu inside\n",
+            stages_f64[CASE_CORNELL].count, counts[PSC_CASE_EMPTY], counts[PSC_CASE_ELLIPSE],
+            counts[PSC_CASE_ELLIPSE_AND_LUNE], counts[PSC_CASE_LUNE], counts[PSC_CASE_INSIDE]);
+}
+
+/* Rows of a table are neighbours in the list of jobs. */
+static void print_table(FILE *to, enum regime regime, int bits)
+{
+    const char *method = "", *how = "";
+    size_t i;
+    int c;
+
+    fprintf(to, "\n%s, f%d: ns per sample, times %s\n\n%-24s", regime_texts[regime], bits,
+            baseline_text(regime), "");
+    for (c = 0; c < (regime == REGIME_MANY ? CASE_CORNELL : CASES); c++)
+        fprintf(to, "%14s", bench_cases[c].name);
+    for (i = 0; i < job_count; i++) {
+        const struct job *j = &jobs[i];
+        char label[64];
+
+        if (j->regime != regime || j->bits != bits)
+            continue;
+        if (strcmp(method, j->method) != 0 || strcmp(how, j->how) != 0) {
+            snprintf(label, sizeof label, "%s, %s", j->method, j->how);
+            fprintf(to, "\n%-24s", label);
+            method = j->method;
+            how = j->how;
+        }
+        fprintf(to, "%8.*f %5.2f", j->median < 10.0 ? 2 : 1, j->median,
+                j->median / baseline(j));
+    }
+    fputc('\n', to);
+}
+
+static void print_errors(FILE *to)
+{
+    const struct cdf_error *e;
+    int c;
+
+    fprintf(to, "\nlargest CDF error of the directions returned, paper's method / library\n\n%-24s",
+            "");
+    for (c = 0; c < CASE_CORNELL; c++)
+        fprintf(to, "%18s", bench_cases[c].name);
+    for (e = cdf_errors; e < cdf_errors + CDF_ERRORS; e++) {
+        if (e->which == 0)
+            fprintf(to, "\n%-20s f%d", e->method, e->bits);
+        fprintf(to, " %8.1e /%7.0e", e->paper, e->library);
+    }
+    fputc('\n', to);
+}
+
+void print_tables(FILE *to, const struct machine *machine, size_t rounds)
+{
+    int regime, bits;
+
+    print_machine(to, machine, rounds);
+    for (regime = 0; regime < REGIMES; regime++)
+        for (bits = 64; bits >= 32; bits -= 32)
+            print_table(to, regime, bits);
+    print_errors(to);
+    print_bars(to);
+}
+
+/* A string of JSON; what is printed here has no other character that needs an escape. */
+static void print_string(FILE *to, const char *s)
+{
+    fputc('"', to);
+    for (; *s; s++)
+        fprintf(to, *s == '"' || *s == '\\' ? "\\%c" : "%c", *s);
+    fputc('"', to);
+}
+
+void print_json(FILE *to, const struct machine *machine, size_t rounds)
+{
+    size_t i;
+
+    fputs("{\"cpu\": ", to);
+    print_string(to, machine->cpu);
+    fputs(", \"compiler\": ", to);
+    print_string(to, machine->compiler);
+    fputs(", \"flags\": ", to);
+    print_string(to, machine->flags);
+    fprintf(to, ", \"kernel\": \"%s\", \"rounds\": %zu,\n\"jobs\": [", variant_best()->name,
+            rounds);
+    for (i = 0; i < job_count; i++) {
+        const struct job *j = &jobs[i];
+
+        fprintf(to, "%s\n  {\"regime\": \"%s\", \"method\": \"%s\", \"how\": \"%s\", "
+                    "\"case\": \"%s\", \"bits\": %d, \"ns\": %.4g, \"quartiles\": [%.4g, %.4g]}",
+                i ? "," : "", regime_names[j->regime], j->method, j->how,
+                bench_cases[j->which].name, j->bits, j->median, j->low, j->high);
+    }
+    fputs("],\n\"cdf_errors\": [", to);
+    for (i = 0; i < CDF_ERRORS; i++) {
+        const struct cdf_error *e = &cdf_errors[i];
+
+        fprintf(to, "%s\n  {\"method\": \"%s\", \"case\": \"%s\", \"bits\": %d, \"paper\": %.3g, "
+                    "\"library\": %.3g}",
+                i ? "," : "", e->method, bench_cases[e->which].name, e->bits, e->paper,
+                e->library);
+    }
+    fputs("],\n\"bars\": [", to);
+    print_bars_json(to);
+    fputs("]}\n", to);
+}
