@@ -1,0 +1,145 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Short ways to call the library from tests: descriptions in one line, and one signature for
+   both precisions, so that a test loops over them. */
+#ifndef PSC_TESTS_CALLS_H
+#define PSC_TESTS_CALLS_H
+
+#include <psc/psc.h>
+
+#include <string.h>
+
+/* Every technique of a sphere; those with distant set are also offered for caps. */
+static const struct test_technique {
+    const char *name;
+    psc_measure measure;
+    psc_map map;
+    int distant;
+} test_techniques[] = {
+    {"solid angle, radial", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL, 1},
+    {"solid angle, concentric", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_CONCENTRIC, 1},
+    {"projected, radial", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_RADIAL, 1},
+    {"projected, parallel", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_PARALLEL, 1},
+    {"projected, concentric", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_CONCENTRIC, 1},
+    {"area, radial", PSC_MEASURE_AREA, PSC_MAP_RADIAL, 0},
+    {"area, concentric", PSC_MEASURE_AREA, PSC_MAP_CONCENTRIC, 0},
+    {"visible area, radial", PSC_MEASURE_VISIBLE_AREA, PSC_MAP_RADIAL, 0},
+    {"visible area, concentric", PSC_MEASURE_VISIBLE_AREA, PSC_MAP_CONCENTRIC, 0},
+};
+
+enum { TEST_TECHNIQUES = sizeof test_techniques / sizeof test_techniques[0] };
+
+static inline psc_technique make_technique(psc_measure measure, psc_map map)
+{
+    psc_technique technique = {sizeof technique, 0, 0, 0};
+
+    technique.measure = measure;
+    technique.map = map;
+    return technique;
+}
+
+static inline psc_receiver make_receiver(const double *position, const double *normal,
+                                         uint32_t flags)
+{
+    psc_receiver receiver = {sizeof receiver, 0, NULL, NULL};
+
+    receiver.flags = flags;
+    receiver.position = position;
+    receiver.normal = normal;
+    return receiver;
+}
+
+/* One sampler in memory of its own. */
+struct test_sampler {
+    psc_sampler_storage storage;
+    psc_sampler *sampler;
+};
+
+static inline psc_sampler *make_sampler(struct test_sampler *s)
+{
+    psc_sampler_init(&s->storage, sizeof s->storage, &s->sampler);
+    return s->sampler;
+}
+
+static inline psc_result build_sphere(psc_sampler *sampler, const struct test_technique *what,
+                                      uint32_t flags, const double position[3],
+                                      const double *normal, const double center[3],
+                                      double radius)
+{
+    psc_technique technique = make_technique(what->measure, what->map);
+    psc_receiver receiver = make_receiver(position, normal, flags);
+
+    return psc_build_sphere(sampler, &technique, &receiver, center, radius);
+}
+
+static inline psc_result build_cap(psc_sampler *sampler, const struct test_technique *what,
+                                   uint32_t flags, const double *normal, const double axis[3],
+                                   double half_angle)
+{
+    static const double origin[3] = {0.0, 0.0, 0.0};
+    psc_technique technique = make_technique(what->measure, what->map);
+    psc_receiver receiver = make_receiver(origin, normal, flags);
+
+    return psc_build_cap(sampler, &technique, &receiver, axis, half_angle);
+}
+
+static inline psc_result sample_any(int bits, const psc_sampler *sampler, double u, double v,
+                                    psc_light_sample_f64 *out)
+{
+    psc_light_sample_f32 f;
+    psc_result result;
+    int i;
+
+    if (bits == 64)
+        return psc_sample_f64(sampler, u, v, out);
+    result = psc_sample_f32(sampler, (float)u, (float)v, &f);
+    if (result < 0 || result == PSC_EMPTY)
+        return result;
+    for (i = 0; i < 3; i++) {
+        out->direction[i] = f.direction[i];
+        out->point[i] = f.point[i];
+        out->normal[i] = f.normal[i];
+    }
+    out->surface[0] = f.surface[0];
+    out->surface[1] = f.surface[1];
+    out->pdf = f.pdf;
+    out->distance = f.distance;
+    out->weight = f.weight;
+    return result;
+}
+
+static inline psc_result pdf_any(int bits, const psc_sampler *sampler, const double direction[3],
+                                 double *pdf)
+{
+    float f[3], value;
+    psc_result result;
+    int i;
+
+    if (bits == 64)
+        return psc_pdf_f64(sampler, direction, pdf);
+    for (i = 0; i < 3; i++)
+        f[i] = (float)direction[i];
+    result = psc_pdf_f32(sampler, f, &value);
+    *pdf = value;
+    return result;
+}
+
+static inline psc_result invert_any(int bits, const psc_sampler *sampler,
+                                    const double direction[3], double uv[2])
+{
+    float f[3], out[2];
+    psc_result result;
+    int i;
+
+    if (bits == 64)
+        return psc_invert_f64(sampler, direction, uv);
+    for (i = 0; i < 3; i++)
+        f[i] = (float)direction[i];
+    result = psc_invert_f32(sampler, f, out);
+    if (result == PSC_SUCCESS) {
+        uv[0] = out[0];
+        uv[1] = out[1];
+    }
+    return result;
+}
+
+#endif
