@@ -419,8 +419,7 @@ static void FN(cap_finish)(const psc_sampler *s, const struct psc_side *side, si
 static void FN(cap_sample_n)(const psc_sampler *s, size_t count, const FN(psc_input) *uv,
                              const FN(psc_samples) *out)
 {
-    const int surface = FN(wanted)(&out->point, 3) || FN(wanted)(&out->normal, 3) ||
-                        FN(wanted)(&out->distance, 1) || FN(wanted)(&out->surface, 2);
+    const int surface = FN(wants_surface)(out);
     real u[PSC_BLOCK], v[PSC_BLOCK], pu[2][PSC_BLOCK], pv[2][PSC_BLOCK];
     struct FN(psc_cap_points) points;
     struct FN(psc_results) results;
@@ -434,7 +433,8 @@ static void FN(cap_sample_n)(const psc_sampler *s, size_t count, const FN(psc_in
         if (s->sides == 1) {
             FN(cap_blocks)[s->side[0].map](s->side, n, u, v, &points);
             FN(cap_finish)(s, s->side, n, &points, surface, &results);
-            FN(scatter_results)(out, &results, first, NULL, n);
+            FN(scatter_values)(out, &results, first, NULL, NULL, n);
+            FN(scatter_status)(&out->status, results.status, first, NULL, n);
         } else {
             size_t part[2] = {0, 0};
             int k;
@@ -450,7 +450,8 @@ static void FN(cap_sample_n)(const psc_sampler *s, size_t count, const FN(psc_in
             for (k = 0; k < 2; k++) {
                 FN(cap_blocks)[s->side[k].map](s->side + k, part[k], pu[k], pv[k], &points);
                 FN(cap_finish)(s, s->side + k, part[k], &points, surface, &results);
-                FN(scatter_results)(out, &results, first, index[k], part[k]);
+                FN(scatter_values)(out, &results, first, NULL, index[k], part[k]);
+                FN(scatter_status)(&out->status, results.status, first, index[k], part[k]);
             }
         }
     }

@@ -35,12 +35,12 @@ static unsigned best_variant(void)
     unsigned best = 0;
 
 #if defined(PSC_HAVE_AVX2)
-    if (__builtin_cpu_supports("avx2"))
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
         best = 1;
 #endif
 #if defined(PSC_HAVE_AVX512)
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-        __builtin_cpu_supports("avx512vl"))
+        __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma"))
         best = sizeof variants / sizeof *variants - 1;
 #endif
     return best;
@@ -58,12 +58,12 @@ static unsigned variant(void)
     return v - 1;
 }
 
-const struct psc_kernel_f32 *psc_dispatch_f32(enum psc_family family)
+const struct psc_kernel_f32 *psc_dispatch_f32(enum psc_kernel_index shape)
 {
-    return variants[variant()].f32 + family;
+    return variants[variant()].f32 + shape;
 }
 
-const struct psc_kernel_f64 *psc_dispatch_f64(enum psc_family family)
+const struct psc_kernel_f64 *psc_dispatch_f64(enum psc_kernel_index shape)
 {
-    return variants[variant()].f64 + family;
+    return variants[variant()].f64 + shape;
 }

@@ -157,6 +157,7 @@ PSC_LANE void radial_lune_build(struct psc_lobe_f64 *l, double q)
     int i;
 
     l->layer = 0.0;
+    l->layer_width = 1.0;
     if (thick) {
         double h1, h2;
 

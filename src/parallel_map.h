@@ -18,9 +18,6 @@
 #include "lobe.h"
 #include "segment.h"
 
-#define PSC_BITS 64
-#include "precision.h"
-
 struct chord {
     double sine, cosine; /* of theta */
     double y, cos_psi;

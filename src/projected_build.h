@@ -3,9 +3,7 @@
 #ifndef PSC_SRC_PROJECTED_BUILD_H
 #define PSC_SRC_PROJECTED_BUILD_H
 
-#include "lobe.h"
-#include "lune_map.h"
-#include "parallel_map.h"
+#include "cap_maps.h"
 
 /* What every map by projected solid angle needs: nothing in it cancels. */
 PSC_LANE void projected_base(struct psc_lobe_f64 *l, const struct psc_cap *cap)

@@ -3,27 +3,6 @@
  * Blocks of samples: strided inputs are gathered into short arrays that loops can vectorise
  * over, results are scattered from such arrays. Template: see precision.h.
  */
-#ifndef PSC_BLOCK
-#define PSC_BLOCK 128
-
-/* The components of a sample, in the order of psc_light_sample. */
-enum {
-    PSC_DIRECTION = 0,
-    PSC_PDF = 3,
-    PSC_POINT = 4,
-    PSC_DISTANCE = 7,
-    PSC_NORMAL = 8,
-    PSC_WEIGHT = 11,
-    PSC_SURFACE = 12,
-    PSC_COMPONENTS = 14
-};
-#endif
-
-struct FN(psc_results) {
-    real value[PSC_COMPONENTS][PSC_BLOCK];
-    psc_result status[PSC_BLOCK];
-};
-
 /* The n elements of a component from first on. */
 PSC_LANE void FN(gather)(const real *from, ptrdiff_t stride, size_t first, size_t n, real *to)
 {
@@ -38,22 +17,52 @@ PSC_LANE void FN(gather)(const real *from, ptrdiff_t stride, size_t first, size_
         to[i] = *(const real *)(const void *)(at + (ptrdiff_t)i * stride);
 }
 
-/* Writes n values to the elements first + index[i], or first + i where index is NULL. */
-PSC_LANE void FN(scatter)(const real *from, real *to, ptrdiff_t stride, size_t first,
-                          const uint32_t *index, size_t n)
+/* Writes the values from[at[i]] to the elements first + index[i]; an index that is NULL stands
+   for 0 to n - 1. */
+PSC_LANE void FN(scatter)(const real *from, const uint32_t *at, real *to, ptrdiff_t stride,
+                          size_t first, const uint32_t *index, size_t n)
 {
-    char *at = (char *)to + (ptrdiff_t)first * stride;
+    char *start = (char *)to + (ptrdiff_t)first * stride;
     size_t i;
 
-    if (index) {
+    if (index)
         for (i = 0; i < n; i++)
-            *(real *)(void *)(at + (ptrdiff_t)index[i] * stride) = from[i];
-    } else if (stride == (ptrdiff_t)sizeof(real)) {
-        memcpy(at, from, n * sizeof(real));
-    } else {
+            *(real *)(void *)(start + (ptrdiff_t)index[i] * stride) = from[at ? at[i] : i];
+    else if (stride == (ptrdiff_t)sizeof(real))
+        memcpy(start, from, n * sizeof(real));
+    else
         for (i = 0; i < n; i++)
-            *(real *)(void *)(at + (ptrdiff_t)i * stride) = from[i];
-    }
+            *(real *)(void *)(start + (ptrdiff_t)i * stride) = from[i];
+}
+
+/* The calls for all the outputs that are wanted; see scatter(). */
+static void FN(scatter_values)(const FN(psc_samples) *out, const struct FN(psc_results) *r,
+                               size_t first, const uint32_t *at, const uint32_t *index, size_t n)
+{
+    const struct {
+        const FN(psc_output) *output;
+        int from, components;
+    } fields[] = {{&out->direction, PSC_DIRECTION, 3}, {&out->pdf, PSC_PDF, 1},
+                  {&out->point, PSC_POINT, 3},         {&out->distance, PSC_DISTANCE, 1},
+                  {&out->normal, PSC_NORMAL, 3},       {&out->weight, PSC_WEIGHT, 1},
+                  {&out->surface, PSC_SURFACE, 2}};
+    size_t f;
+    int c;
+
+    for (f = 0; f < sizeof fields / sizeof *fields; f++)
+        for (c = 0; c < fields[f].components; c++)
+            if (fields[f].output->component[c])
+                FN(scatter)(r->value[fields[f].from + c], at, fields[f].output->component[c],
+                            fields[f].output->stride, first, index, n);
+}
+
+PSC_LANE void FN(scatter_status)(const psc_output_result *output, const psc_result *status,
+                                 size_t first, const uint32_t *index, size_t n)
+{
+    size_t i;
+
+    for (i = 0; output->data && i < n; i++)
+        psc_put_status(output, first + (index ? index[i] : i), status[i]);
 }
 
 PSC_LANE int FN(wanted)(const FN(psc_output) *output, int components)
@@ -65,39 +74,9 @@ PSC_LANE int FN(wanted)(const FN(psc_output) *output, int components)
     return any;
 }
 
-PSC_LANE void FN(scatter_output)(const FN(psc_output) *output, int components,
-                                 const real (*value)[PSC_BLOCK], size_t first,
-                                 const uint32_t *index, size_t n)
+/* Whether anything is wanted that takes more than direction and density. */
+PSC_LANE int FN(wants_surface)(const FN(psc_samples) *out)
 {
-    int c;
-
-    for (c = 0; c < components; c++)
-        if (output->component[c])
-            FN(scatter)(value[c], output->component[c], output->stride, first, index, n);
-}
-
-PSC_LANE void FN(scatter_status)(const psc_output_result *output, const psc_result *status,
-                                 size_t first, const uint32_t *index, size_t n)
-{
-    size_t i;
-
-    if (!output->data)
-        return;
-    for (i = 0; i < n; i++)
-        *(psc_result *)(void *)((char *)output->data +
-                                (ptrdiff_t)(first + (index ? index[i] : i)) * output->stride) =
-            status[i];
-}
-
-PSC_LANE void FN(scatter_results)(const FN(psc_samples) *out, const struct FN(psc_results) *r,
-                                  size_t first, const uint32_t *index, size_t n)
-{
-    FN(scatter_output)(&out->direction, 3, r->value + PSC_DIRECTION, first, index, n);
-    FN(scatter_output)(&out->pdf, 1, r->value + PSC_PDF, first, index, n);
-    FN(scatter_output)(&out->point, 3, r->value + PSC_POINT, first, index, n);
-    FN(scatter_output)(&out->distance, 1, r->value + PSC_DISTANCE, first, index, n);
-    FN(scatter_output)(&out->normal, 3, r->value + PSC_NORMAL, first, index, n);
-    FN(scatter_output)(&out->weight, 1, r->value + PSC_WEIGHT, first, index, n);
-    FN(scatter_output)(&out->surface, 2, r->value + PSC_SURFACE, first, index, n);
-    FN(scatter_status)(&out->status, r->status, first, index, n);
+    return FN(wanted)(&out->point, 3) || FN(wanted)(&out->normal, 3) ||
+           FN(wanted)(&out->distance, 1) || FN(wanted)(&out->surface, 2);
 }

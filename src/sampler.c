@@ -22,8 +22,8 @@ void psc_clear(psc_sampler *sampler)
     /* Lobes are left as they are: with no side, nobody reads them. */
     memset(sampler, 0, offsetof(psc_sampler, side));
     sampler->allocator = allocator;
-    sampler->f32 = psc_dispatch_f32(PSC_FAMILY_CAP);
-    sampler->f64 = psc_dispatch_f64(PSC_FAMILY_CAP);
+    sampler->f32 = psc_dispatch_f32(PSC_KERNEL_SPHERE);
+    sampler->f64 = psc_dispatch_f64(PSC_KERNEL_SPHERE);
 }
 
 psc_result psc_sampler_init(void *memory, size_t size, psc_sampler **out)
@@ -96,8 +96,8 @@ static int numbers_of(const struct psc_shape_row *shape)
     return n;
 }
 
-psc_result psc_build_view(psc_sampler *sampler, const struct psc_shape_row *shape,
-                          const struct psc_view *view, const double *geometry)
+psc_result psc_build_numbers(psc_sampler *sampler, const struct psc_shape_row *shape,
+                             const struct psc_request *request, const double *geometry)
 {
     psc_result result;
     int i;
@@ -106,17 +106,20 @@ psc_result psc_build_view(psc_sampler *sampler, const struct psc_shape_row *shap
     for (i = 0; i < numbers_of(shape); i++)
         if (!is_finite(geometry[i]))
             return PSC_ERROR_NOT_FINITE;
-    if (view->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE && view->facing == PSC_FACING_NONE)
+    if (request->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE &&
+        request->facing == PSC_FACING_NONE)
         return PSC_ERROR_NEEDS_NORMAL;
+    sampler->f32 = psc_dispatch_f32(shape->kernel);
+    sampler->f64 = psc_dispatch_f64(shape->kernel);
     sampler->shape = shape;
-    sampler->measure = view->measure;
-    sampler->map = view->map;
-    sampler->facing = view->facing;
-    sampler->projected = view->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE;
+    sampler->measure = request->measure;
+    sampler->map = request->map;
+    sampler->facing = request->facing;
+    sampler->projected = request->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE;
     for (i = 0; i < 3; i++)
-        sampler->position[i] = view->position[i];
+        sampler->position[i] = request->position[i];
 
-    result = shape->build(sampler, view, geometry);
+    result = sampler->f64->build(sampler, request, geometry);
     if (result < 0)
         psc_clear(sampler);
     else if (result == PSC_SUCCESS && !(sampler->total > 0.0))
@@ -135,15 +138,15 @@ psc_result psc_build(psc_sampler *sampler, const struct psc_shape_row *shape,
                      const double *const parts[])
 {
     double geometry[PSC_MAX_GEOMETRY];
-    struct psc_view view;
+    struct psc_request request;
     psc_result result;
     int i, n = 0;
 
     if (!sampler)
         return PSC_ERROR_NULL_POINTER;
-    result = psc_read_technique(technique, &view);
+    result = psc_read_technique(technique, &request);
     if (result == PSC_SUCCESS)
-        result = psc_read_receiver(receiver, &view);
+        result = psc_read_receiver(receiver, &request);
     for (i = 0; shape->parts[i] && result == PSC_SUCCESS; i++) {
         const int numbers = shape->parts[i] == 'v' ? 3 : 1;
 
@@ -154,7 +157,7 @@ psc_result psc_build(psc_sampler *sampler, const struct psc_shape_row *shape,
         n += numbers;
     }
     if (result == PSC_SUCCESS)
-        return psc_build_view(sampler, shape, &view, geometry);
+        return psc_build_numbers(sampler, shape, &request, geometry);
     psc_clear(sampler);
     return result;
 }

@@ -73,20 +73,20 @@ struct psc_sampler {
 _Static_assert(sizeof(struct psc_sampler) <= sizeof(psc_sampler_storage), "storage too small");
 _Static_assert(_Alignof(struct psc_sampler) <= _Alignof(psc_sampler_storage), "misaligned");
 
-/* The receiver and technique of a call, checked and copied. */
-struct psc_view {
+/* The technique and receiver of a call, checked. */
+struct psc_request {
     psc_measure measure;
     psc_map map;
-    double position[3];
-    double normal[3]; /* scaled by a power of two to a length near 1 */
     enum psc_facing facing;
+    const double *position;
+    const double *normal; /* finite and not zero, or NULL */
 };
 
 psc_result psc_read_allocator(const psc_allocator *from, psc_allocator *to);
-psc_result psc_read_technique(const psc_technique *technique, struct psc_view *view);
-psc_result psc_read_receiver(const psc_receiver *receiver, struct psc_view *view);
+psc_result psc_read_technique(const psc_technique *technique, struct psc_request *request);
+psc_result psc_read_receiver(const psc_receiver *receiver, struct psc_request *request);
 psc_result psc_check_receiver(uint32_t flags, const double *position, const double *normal,
-                              struct psc_view *view);
+                              struct psc_request *request);
 
 /* For psc_samples_f32 and _f64: the size and the reserved field. */
 psc_result psc_check_samples(const void *samples, size_t size);
@@ -107,14 +107,15 @@ static inline void psc_fill_status(const psc_output_result *to, size_t count, ps
 
 #define PSC_MAX_GEOMETRY 4
 
+/* The shapes that have kernels. */
+enum psc_kernel_index { PSC_KERNEL_SPHERE, PSC_KERNEL_CAP, PSC_KERNEL_COUNT };
+
 /* What a shape supplies: the row that stands for it everywhere. */
 struct psc_shape_row {
     psc_shape shape;
+    enum psc_kernel_index kernel;
     const char *parts; /* of its geometry: v for a vector, s for a scalar; in all at most
                           PSC_MAX_GEOMETRY numbers */
-    /* Fills a cleared sampler, whose position and technique are set; numbers are finite. */
-    psc_result (*build)(psc_sampler *sampler, const struct psc_view *view,
-                        const double *geometry);
     psc_result (*solid_angle)(const psc_sampler *sampler, double *value);
     psc_result (*projected_solid_angle)(const psc_sampler *sampler, double *value);
     psc_result (*area)(const psc_sampler *sampler, double *value);
@@ -129,9 +130,9 @@ extern const struct psc_shape_row psc_shape_sphere, psc_shape_cap;
 /* Leaves the sampler empty: safe to sample, pdf 0. */
 void psc_clear(psc_sampler *sampler);
 
-/* Builds any shape from checked parts. */
-psc_result psc_build_view(psc_sampler *sampler, const struct psc_shape_row *shape,
-                          const struct psc_view *view, const double *geometry);
+/* Builds any shape from a checked request and its numbers. */
+psc_result psc_build_numbers(psc_sampler *sampler, const struct psc_shape_row *shape,
+                             const struct psc_request *request, const double *geometry);
 
 /* Builds any shape from pointers to its parts: what the public build calls are. */
 psc_result psc_build(psc_sampler *sampler, const struct psc_shape_row *shape,
@@ -148,12 +149,54 @@ psc_result psc_wavefront_f32(const struct psc_shape_row *shape, const psc_techni
                              const psc_input_f32 *const parts[], const psc_input_f32 *uv,
                              const psc_samples_f32 *out);
 
-/* What a kernel supplies for one family of lights, per precision and instruction set. */
+/* ---- Kernels: per shape, precision and instruction set ---- */
+
+#define PSC_BLOCK 128
+
+/* The inputs of a block of a wavefront, one array per number. */
+struct psc_wave {
+    double position[3][PSC_BLOCK], normal[3][PSC_BLOCK];
+    double geometry[PSC_MAX_GEOMETRY][PSC_BLOCK];
+    psc_measure measure;
+    psc_map map;
+    enum psc_facing facing;
+    size_t count;
+    int surface; /* whether point, normal, distance or surface are wanted */
+};
+
+/* Components of psc_light_sample in its order, one array each. */
+enum {
+    PSC_DIRECTION = 0,
+    PSC_PDF = 3,
+    PSC_POINT = 4,
+    PSC_DISTANCE = 7,
+    PSC_NORMAL = 8,
+    PSC_WEIGHT = 11,
+    PSC_SURFACE = 12,
+    PSC_COMPONENTS = 14
+};
+struct psc_results_f64 {
+    double value[PSC_COMPONENTS][PSC_BLOCK];
+    psc_result status[PSC_BLOCK];
+};
+struct psc_results_f32 {
+    float value[PSC_COMPONENTS][PSC_BLOCK];
+    psc_result status[PSC_BLOCK];
+};
+
+/* The status of an element that a wavefront kernel leaves to the calls for one. */
+#define PSC_PENDING INT32_MAX
+
 struct psc_kernel_f64 {
     psc_result (*sample)(const psc_sampler *sampler, double u, double v,
                          psc_light_sample_f64 *sample);
     void (*sample_n)(const psc_sampler *sampler, size_t count, const psc_input_f64 *uv,
                      const psc_samples_f64 *out);
+    void (*wave)(const struct psc_wave *wave, const double *u, const double *v,
+                 struct psc_results_f64 *results);
+    /* Fills a cleared sampler; the numbers are finite. In double behind both precisions. */
+    psc_result (*build)(psc_sampler *sampler, const struct psc_request *request,
+                        const double *geometry);
 };
 
 struct psc_kernel_f32 {
@@ -161,12 +204,12 @@ struct psc_kernel_f32 {
                          psc_light_sample_f32 *sample);
     void (*sample_n)(const psc_sampler *sampler, size_t count, const psc_input_f32 *uv,
                      const psc_samples_f32 *out);
+    void (*wave)(const struct psc_wave *wave, const float *u, const float *v,
+                 struct psc_results_f32 *results);
 };
 
-enum psc_family { PSC_FAMILY_CAP, PSC_FAMILY_COUNT };
-
 /* The kernels for this CPU. */
-const struct psc_kernel_f64 *psc_dispatch_f64(enum psc_family family);
-const struct psc_kernel_f32 *psc_dispatch_f32(enum psc_family family);
+const struct psc_kernel_f64 *psc_dispatch_f64(enum psc_kernel_index shape);
+const struct psc_kernel_f32 *psc_dispatch_f32(enum psc_kernel_index shape);
 
 #endif

@@ -32,7 +32,7 @@ psc_result psc_read_allocator(const psc_allocator *from, psc_allocator *to)
     return to->allocate && to->release ? PSC_SUCCESS : PSC_ERROR_NULL_POINTER;
 }
 
-psc_result psc_read_technique(const psc_technique *technique, struct psc_view *view)
+psc_result psc_read_technique(const psc_technique *technique, struct psc_request *request)
 {
     psc_technique t;
     psc_result result = read_struct(technique, sizeof(psc_technique), &t, sizeof t);
@@ -45,41 +45,35 @@ psc_result psc_read_technique(const psc_technique *technique, struct psc_view *v
         return PSC_ERROR_UNKNOWN_MAP;
     if (t.flags != 0)
         return PSC_ERROR_UNKNOWN_FLAG;
-    view->measure = t.measure;
-    view->map = t.map;
+    request->measure = t.measure;
+    request->map = t.map;
     return PSC_SUCCESS;
 }
 
 psc_result psc_check_receiver(uint32_t flags, const double *position, const double *normal,
-                              struct psc_view *view)
+                              struct psc_request *request)
 {
-    int i;
-
     if (flags & ~(uint32_t)PSC_RECEIVER_TWO_SIDED)
         return PSC_ERROR_UNKNOWN_FLAG;
     if (!position)
         return PSC_ERROR_NULL_POINTER;
-    for (i = 0; i < 3; i++)
-        view->position[i] = position[i];
-    view->facing = !normal                          ? PSC_FACING_NONE
-                   : flags & PSC_RECEIVER_TWO_SIDED ? PSC_FACING_BOTH
-                                                    : PSC_FACING_ONE;
+    request->position = position;
+    request->normal = normal;
+    request->facing = !normal                          ? PSC_FACING_NONE
+                      : flags & PSC_RECEIVER_TWO_SIDED ? PSC_FACING_BOTH
+                                                       : PSC_FACING_ONE;
     if (!is_finite3(position) || (normal && !is_finite3(normal)))
         return PSC_ERROR_NOT_FINITE;
-    if (normal && !scale_to_one(normal, view->normal))
-        return PSC_ERROR_ZERO_VECTOR;
-    if (!normal)
-        view->normal[0] = view->normal[1] = view->normal[2] = 0.0;
-    return PSC_SUCCESS;
+    return normal && largest(normal) == 0.0 ? PSC_ERROR_ZERO_VECTOR : PSC_SUCCESS;
 }
 
-psc_result psc_read_receiver(const psc_receiver *receiver, struct psc_view *view)
+psc_result psc_read_receiver(const psc_receiver *receiver, struct psc_request *request)
 {
     psc_receiver r;
     psc_result result = read_struct(receiver, sizeof(psc_receiver), &r, sizeof r);
 
     return result != PSC_SUCCESS ? result
-                                 : psc_check_receiver(r.flags, r.position, r.normal, view);
+                                 : psc_check_receiver(r.flags, r.position, r.normal, request);
 }
 
 /* Of the arrays' descriptions too; their pointers are used where they stand. */

@@ -15,17 +15,16 @@ PSC_LANE int is_finite3(const double v[3])
     return is_finite(v[0]) && is_finite(v[1]) && is_finite(v[2]);
 }
 
-/* The power of two that brings x > 0 into [1,2), or a subnormal one near it: exact to multiply
+/* The power of two that brings x >= 0 into [1,2), or a subnormal one near it: exact to multiply
    with, so that units do not matter. */
 PSC_LANE double unit_scale(double x)
 {
     uint64_t bits;
     double scale;
 
+    x = MIN(MAX(x, DBL_MIN), 0x1p1022);
     memcpy(&bits, &x, sizeof bits);
-    bits >>= 52;
-    bits = 2046 - MIN(MAX(bits, 1), 2045);
-    bits <<= 52;
+    bits = ((uint64_t)2046 << 52) - (bits & ((uint64_t)2047 << 52));
     memcpy(&scale, &bits, sizeof scale);
     return scale;
 }
@@ -63,14 +62,20 @@ PSC_LANE void two_sum(double a, double b, double *sum, double *error)
     *sum = s;
 }
 
-/* a b = *product + *error exactly (Dekker), for |a|, |b| < 2^995 whose product is normal. */
+/* a b = *product + *error exactly, unless the error underflows, for |a|, |b| < 2^995: by one
+   fused operation where the CPU has it (the only place where one is used), otherwise by
+   splitting (Dekker). Both give the same bits. */
 PSC_LANE void two_product(double a, double b, double *product, double *error)
 {
     const double p = a * b;
+#if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
+    *error = __builtin_fma(a, b, -p);
+#else
     const double ca = 134217729.0 * a, ah = ca - (ca - a), al = a - ah;
     const double cb = 134217729.0 * b, bh = cb - (cb - b), bl = b - bh;
 
     *error = ((ah * bh - p) + ah * bl + al * bh) + al * bl;
+#endif
     *product = p;
 }
 
@@ -82,20 +87,6 @@ PSC_LANE void add_product(double a, double b, double *high, double *low)
     two_product(a, b, &p, &e);
     two_sum(*high, p, high, &f);
     *low += e + f;
-}
-
-/* (a + a_low) / sqrt(b + b_low) as *high + *low, given root = sqrt(b) as rounded. */
-PSC_LANE void divide_by_root(double a, double a_low, double b, double b_low, double root,
-                             double *high, double *low)
-{
-    const double q = (a + a_low) / root;
-    double p, e, root_low;
-
-    two_product(root, root, &p, &e);
-    root_low = ((b - p) - e + b_low) / (2.0 * root);
-    two_product(q, root, &p, &e);
-    *low = ((a - p) - e + a_low - q * root_low) / root;
-    *high = q;
 }
 
 /* a b - c d to 1.5 ulp. */
@@ -115,16 +106,33 @@ PSC_LANE void cross(const double a[3], const double b[3], double to[3])
     to[2] = product_difference(a[0], b[1], a[1], b[0]);
 }
 
-/* Any unit vector perpendicular to the unit vector v: the longer of two projections. */
-PSC_LANE void perpendicular(const double v[3], double to[3])
+/* The same with plain rounding. */
+PSC_LANE void cross_rounded(const double a[3], const double b[3], double to[3])
+{
+    to[0] = a[1] * b[2] - a[2] * b[1];
+    to[1] = a[2] * b[0] - a[0] * b[2];
+    to[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/* A vector perpendicular to v: the longer of two projections, turned. */
+PSC_LANE void any_across(const double v[3], double to[3])
 {
     const int first = ABS(v[0]) > ABS(v[1]);
-    const double a = first ? v[0] : v[1];
-    const double inverse = 1.0 / SQRT(a * a + v[2] * v[2]);
 
-    to[0] = first ? -v[2] * inverse : 0.0;
-    to[1] = first ? 0.0 : v[2] * inverse;
-    to[2] = first ? v[0] * inverse : -v[1] * inverse;
+    to[0] = first ? -v[2] : 0.0;
+    to[1] = first ? 0.0 : v[2];
+    to[2] = first ? v[0] : -v[1];
+}
+
+PSC_LANE void perpendicular(const double v[3], double to[3])
+{
+    double length;
+    int i;
+
+    any_across(v, to);
+    length = 1.0 / SQRT(dot(to, to));
+    for (i = 0; i < 3; i++)
+        to[i] *= length;
 }
 
 #endif

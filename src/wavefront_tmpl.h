@@ -1,12 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Template: see precision.h. */
 
-static real FN(element)(const FN(psc_input) *input, int component, size_t i)
-{
-    return *(const real *)(const void *)((const char *)input->component[component] +
-                                         (ptrdiff_t)i * input->stride);
-}
-
 static int FN(complete)(const FN(psc_input) *input, int components)
 {
     int c, all = input != NULL;
@@ -16,49 +10,56 @@ static int FN(complete)(const FN(psc_input) *input, int components)
     return all;
 }
 
-/* Builds and samples element i with the calls for one. */
-static psc_result FN(build_and_sample)(const struct psc_shape_row *shape,
-                                       const struct psc_view *technique,
-                                       const FN(psc_receivers) *receivers,
-                                       const FN(psc_input) *const parts[],
-                                       const FN(psc_input) *uv, size_t i, psc_sampler *sampler,
-                                       FN(psc_light_sample) *sample)
+/* n elements of a component, widened. */
+static void FN(widen)(const FN(psc_input) *input, int component, size_t first, size_t n,
+                      double *to)
 {
-    double geometry[PSC_MAX_GEOMETRY], position[3], normal[3];
-    const int has_normal = receivers->normal.component[0] != NULL;
-    struct psc_view view = *technique;
-    psc_result result;
-    int p, c, n = 0;
+    const char *at = (const char *)input->component[component] + (ptrdiff_t)first * input->stride;
+    size_t i;
 
-    for (c = 0; c < 3; c++) {
-        position[c] = (double)FN(element)(&receivers->position, c, i);
-        if (has_normal)
-            normal[c] = (double)FN(element)(&receivers->normal, c, i);
-    }
-    for (p = 0; shape->parts[p]; p++)
-        for (c = 0; c < (shape->parts[p] == 'v' ? 3 : 1); c++)
-            geometry[n++] = (double)FN(element)(parts[p], c, i);
-    result = psc_check_receiver(receivers->flags, position, has_normal ? normal : NULL, &view);
-    if (result == PSC_SUCCESS)
-        result = psc_build_view(sampler, shape, &view, geometry);
-    return result == PSC_SUCCESS
-               ? sampler->KERNEL->sample(sampler, FN(element)(uv, 0, i), FN(element)(uv, 1, i),
-                                         sample)
-               : result;
+    for (i = 0; i < n; i++)
+        to[i] = (double)*(const real *)(const void *)(at + (ptrdiff_t)i * input->stride);
 }
 
-psc_result FN(psc_wavefront)(const struct psc_shape_row *shape, const psc_technique *technique,
-                             size_t count, const FN(psc_receivers) *receivers,
-                             const FN(psc_input) *const parts[], const FN(psc_input) *uv,
-                             const FN(psc_samples) *out)
+/* Builds and samples element i of the block with the calls for one. */
+static void FN(build_and_sample)(const struct psc_shape_row *shape, uint32_t flags,
+                                 const struct psc_wave *wave, size_t i, real u, real v,
+                                 psc_sampler *sampler, struct FN(psc_results) *r)
 {
-    struct FN(psc_results) results;
-    psc_sampler_storage storage;
-    psc_sampler *sampler;
-    struct psc_view view;
-    psc_result result = psc_read_technique(technique, &view);
-    size_t i;
-    int p;
+    const double position[3] = {wave->position[0][i], wave->position[1][i],
+                                wave->position[2][i]};
+    const double normal[3] = {wave->normal[0][i], wave->normal[1][i], wave->normal[2][i]};
+    double geometry[PSC_MAX_GEOMETRY];
+    real flat[PSC_COMPONENTS];
+    FN(psc_light_sample) sample;
+    struct psc_request request;
+    int c;
+
+    request.measure = wave->measure;
+    request.map = wave->map;
+    for (c = 0; c < PSC_MAX_GEOMETRY; c++)
+        geometry[c] = wave->geometry[c][i];
+    r->status[i] = psc_check_receiver(
+        flags, position, wave->facing == PSC_FACING_NONE ? NULL : normal, &request);
+    if (r->status[i] == PSC_SUCCESS)
+        r->status[i] = psc_build_numbers(sampler, shape, &request, geometry);
+    if (r->status[i] != PSC_SUCCESS)
+        return;
+    r->status[i] = sampler->KERNEL->sample(sampler, u, v, &sample);
+    memcpy(flat, &sample, sizeof flat);
+    for (c = 0; c < PSC_COMPONENTS; c++)
+        r->value[c][i] = flat[c];
+}
+
+static psc_result FN(check_wavefront)(const struct psc_shape_row *shape,
+                                      const psc_technique *technique,
+                                      const FN(psc_receivers) *receivers,
+                                      const FN(psc_input) *const parts[],
+                                      const FN(psc_input) *uv, const FN(psc_samples) *out,
+                                      struct psc_request *request)
+{
+    psc_result result = psc_read_technique(technique, request);
+    int p, has_normal;
 
     if (result != PSC_SUCCESS)
         return result;
@@ -68,35 +69,75 @@ psc_result FN(psc_wavefront)(const struct psc_shape_row *shape, const psc_techni
         return PSC_ERROR_STRUCT_SIZE;
     if (receivers->flags & ~(uint32_t)PSC_RECEIVER_TWO_SIDED)
         return PSC_ERROR_UNKNOWN_FLAG;
+    has_normal = receivers->normal.component[0] != NULL;
     if (!FN(complete)(&receivers->position, 3) || !FN(complete)(uv, 2) ||
-        (receivers->normal.component[0] && !FN(complete)(&receivers->normal, 3)))
+        (has_normal && !FN(complete)(&receivers->normal, 3)))
         return PSC_ERROR_NULL_POINTER;
     for (p = 0; shape->parts[p]; p++)
         if (!FN(complete)(parts[p], shape->parts[p] == 'v' ? 3 : 1))
             return PSC_ERROR_NULL_POINTER;
     result = psc_check_samples(out, sizeof *out);
+    if (result == PSC_SUCCESS && !has_normal &&
+        request->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE)
+        return PSC_ERROR_NEEDS_NORMAL;
+    request->facing = !has_normal                                  ? PSC_FACING_NONE
+                      : receivers->flags & PSC_RECEIVER_TWO_SIDED ? PSC_FACING_BOTH
+                                                                  : PSC_FACING_ONE;
+    return result;
+}
+
+psc_result FN(psc_wavefront)(const struct psc_shape_row *shape, const psc_technique *technique,
+                             size_t count, const FN(psc_receivers) *receivers,
+                             const FN(psc_input) *const parts[], const FN(psc_input) *uv,
+                             const FN(psc_samples) *out)
+{
+    const struct FN(psc_kernel) *kernel = FN(psc_dispatch)(shape->kernel);
+    real u[PSC_BLOCK], v[PSC_BLOCK];
+    struct FN(psc_results) results;
+    struct psc_request request;
+    uint32_t index[PSC_BLOCK];
+    psc_sampler_storage storage;
+    psc_sampler *sampler;
+    struct psc_wave wave;
+    size_t first, i;
+    const psc_result result =
+        FN(check_wavefront)(shape, technique, receivers, parts, uv, out, &request);
+
     if (result != PSC_SUCCESS)
         return result;
-    if (view.measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE && !receivers->normal.component[0])
-        return PSC_ERROR_NEEDS_NORMAL;
-
     psc_sampler_init(&storage, sizeof storage, &sampler);
-    for (i = 0; i < count; i++) {
-        FN(psc_light_sample) sample;
-        int c;
+    memset(wave.normal, 0, sizeof wave.normal);
+    wave.measure = request.measure;
+    wave.map = request.map;
+    wave.facing = request.facing;
+    wave.surface = FN(wants_surface)(out);
+    for (first = 0; first < count; first += wave.count) {
+        const size_t n = MIN(count - first, PSC_BLOCK);
+        size_t good = 0;
+        int p, c, number = 0;
 
-        results.status[0] = FN(build_and_sample)(shape, &view, receivers, parts, uv, i, sampler,
-                                                 &sample);
-        if (results.status[0] == PSC_SUCCESS || results.status[0] == PSC_CULLED) {
-            real flat[PSC_COMPONENTS];
-
-            memcpy(flat, &sample, sizeof flat);
-            for (c = 0; c < PSC_COMPONENTS; c++)
-                results.value[c][0] = flat[c];
-            FN(scatter_results)(out, &results, i, NULL, 1);
-        } else {
-            psc_put_status(&out->status, i, results.status[0]);
+        wave.count = n;
+        for (c = 0; c < 3; c++) {
+            FN(widen)(&receivers->position, c, first, n, wave.position[c]);
+            if (wave.facing != PSC_FACING_NONE)
+                FN(widen)(&receivers->normal, c, first, n, wave.normal[c]);
         }
+        for (p = 0; shape->parts[p]; p++)
+            for (c = 0; c < (shape->parts[p] == 'v' ? 3 : 1); c++)
+                FN(widen)(parts[p], c, first, n, wave.geometry[number++]);
+        FN(gather)(uv->component[0], uv->stride, first, n, u);
+        FN(gather)(uv->component[1], uv->stride, first, n, v);
+
+        kernel->wave(&wave, u, v, &results);
+        for (i = 0; i < n; i++) {
+            if (results.status[i] == PSC_PENDING)
+                FN(build_and_sample)(shape, receivers->flags, &wave, i, u[i], v[i], sampler,
+                                     &results);
+            if (results.status[i] == PSC_SUCCESS || results.status[i] == PSC_CULLED)
+                index[good++] = (uint32_t)i;
+        }
+        FN(scatter_status)(&out->status, results.status, first, NULL, n);
+        FN(scatter_values)(out, &results, first, index, good == n ? NULL : index, good);
     }
     return PSC_SUCCESS;
 }

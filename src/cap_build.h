@@ -1,0 +1,234 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* From what a receiver sees of a cap to a sampler that is ready. */
+#ifndef PSC_SRC_CAP_BUILD_H
+#define PSC_SRC_CAP_BUILD_H
+
+#include <math.h>
+
+#include "cap_view.h"
+#include "projected_build.h"
+#include "sampler.h"
+
+/* The lobe of the part above the horizon up to its total; returns its region. q = sqrt(q2). */
+static inline enum psc_region lobe_total(struct psc_lobe_f64 *l, const struct psc_cap *cap,
+                                         double *q)
+{
+    const enum psc_region region = psc_cap_region(cap);
+    struct psc_cap c = *cap;
+
+    *q = 0.0;
+    if (region == PSC_REGION_BOTH && c.sin_b < 0.0)
+        c.sin_b = 0.0; /* a lune as thick as the half plane's share to 1e-17 */
+    projected_base(l, &c);
+    switch (region) {
+    case PSC_REGION_EMPTY: l->total = 0.0; break;
+    case PSC_REGION_ELLIPSE: ellipse_build(l); break;
+    case PSC_REGION_BOTH: *q = both_build(l); break;
+    case PSC_REGION_LUNE: *q = lune_build(l); break;
+    }
+    return region;
+}
+
+static inline struct psc_cap mirrored(const struct psc_cap *cap)
+{
+    struct psc_cap below = *cap;
+
+    below.sin_b = -below.sin_b;
+    return below;
+}
+
+static inline void copy3(const double from[3], double to[3])
+{
+    memcpy(to, from, 3 * sizeof(double));
+}
+
+/* Where the cap lies to the horizon. */
+static inline psc_case cap_case(const struct psc_cap *cap, enum psc_facing facing)
+{
+    struct psc_cap c = *cap;
+
+    if (facing == PSC_FACING_NONE)
+        return PSC_CASE_NO_HORIZON;
+    if (facing == PSC_FACING_BOTH)
+        c.sin_b = ABS(c.sin_b);
+    switch (psc_cap_region(&c)) {
+    case PSC_REGION_ELLIPSE: return PSC_CASE_ELLIPSE;
+    case PSC_REGION_BOTH: return PSC_CASE_ELLIPSE_AND_LUNE;
+    case PSC_REGION_LUNE: return PSC_CASE_LUNE;
+    default: return PSC_CASE_EMPTY;
+    }
+}
+
+/* The frame of the cone and area maps: x is down towards the horizon, z the axis. */
+static inline void cone_side(struct psc_side *side, const struct psc_cap *cap,
+                             const struct psc_cap_view *o)
+{
+    struct psc_lobe_f64 *l = &side->lobe;
+
+    l->sin_a = cap->sin_a;
+    l->cos_a = cap->cos_a;
+    l->sin_b = cap->sin_b;
+    l->cos_b = cap->cos_b;
+    copy3(o->axis, side->axis);
+    copy3(o->axis, side->z);
+    copy3(o->sideways, side->y);
+    cross_rounded(side->y, o->axis, side->x);
+}
+
+/* The lobe and frame above (sign 1) or below (-1) the receiver's plane; its total. */
+static inline double projected_side(struct psc_side *side, psc_map map,
+                                    const struct psc_cap *cap, const struct psc_cap_view *o,
+                                    double sign)
+{
+    static const enum psc_cap_map maps[3][4] = {
+        {0, PSC_CAP_RADIAL_ELLIPSE, PSC_CAP_RADIAL_BOTH, PSC_CAP_RADIAL_LUNE},
+        {0, PSC_CAP_PARALLEL_ELLIPSE, PSC_CAP_PARALLEL_BOTH, PSC_CAP_PARALLEL_LUNE},
+        {0, PSC_CAP_CONCENTRIC_ELLIPSE, PSC_CAP_CONCENTRIC_BOTH, PSC_CAP_CONCENTRIC_LUNE},
+    };
+    struct psc_lobe_f64 *l = &side->lobe;
+    double q;
+    const enum psc_region region = lobe_total(l, cap, &q);
+    int i;
+
+    if (region == PSC_REGION_EMPTY)
+        return 0.0;
+    side->map = maps[map][region];
+    if (region != PSC_REGION_ELLIPSE) {
+        if (map != PSC_MAP_RADIAL)
+            parallel_build(l, region == PSC_REGION_LUNE, q);
+        else if (region == PSC_REGION_BOTH)
+            radial_both_build(l);
+        else
+            radial_lune_build(l, q);
+    }
+    copy3(o->axis, side->axis);
+    copy3(o->sideways, side->y);
+    cross_rounded(o->sideways, o->normal, side->x);
+    for (i = 0; i < 3; i++)
+        side->z[i] = sign * o->normal[i];
+    return l->total;
+}
+
+/* Sets up the sides for (projected) solid angle; s->cap is filled. */
+static inline psc_result cap_sides(psc_sampler *s, const struct psc_cap_view *o)
+{
+    s->visibility = s->inside ? PSC_CASE_INSIDE : cap_case(&s->cap, s->facing);
+    if (s->visibility == PSC_CASE_EMPTY)
+        return PSC_EMPTY;
+    if (s->projected) {
+        const struct psc_cap below = mirrored(&s->cap);
+        struct psc_cap_view under = *o;
+        double above = projected_side(s->side, s->map, &s->cap, o, 1.0), second = 0.0;
+        int i;
+
+        s->sides = above > 0.0;
+        if (s->facing == PSC_FACING_BOTH) {
+            if (s->inside)
+                for (i = 0; i < 3; i++)
+                    under.axis[i] = -o->axis[i];
+            second = projected_side(s->side + s->sides, s->map, s->inside ? &s->cap : &below,
+                                    &under, -1.0);
+            s->sides += second > 0.0;
+        }
+        s->total = above + second;
+        s->split = above / s->total;
+        return s->sides > 0 ? PSC_SUCCESS : PSC_EMPTY;
+    }
+    cone_side(s->side, &s->cap, o);
+    s->side[0].lobe.h0 = o->h0;
+    s->side[0].map = s->map == PSC_MAP_RADIAL ? PSC_CAP_RADIAL_CONE : PSC_CAP_CONCENTRIC_CONE;
+    s->sides = 1;
+    s->total = 2.0 * PSC_PI * o->h0;
+    return PSC_SUCCESS;
+}
+
+/* The area maps of a sphere; on its surface the visible part has no area. */
+static inline psc_result area_side(psc_sampler *s, const struct psc_cap_view *o)
+{
+    struct psc_lobe_f64 *l = &s->side[0].lobe;
+    const int visible = s->measure == PSC_MEASURE_VISIBLE_AREA && !s->inside;
+
+    s->visibility = s->inside ? PSC_CASE_INSIDE : cap_case(&o->cap, s->facing);
+    if (s->visibility == PSC_CASE_EMPTY || o->power == 0.0)
+        return PSC_EMPTY;
+    cone_side(s->side, &o->cap, o);
+    s->side[0].map = s->map == PSC_MAP_RADIAL ? PSC_CAP_RADIAL_AREA : PSC_CAP_CONCENTRIC_AREA;
+    l->delta = o->distance / o->radius;
+    l->gap = o->power / (o->radius * (o->distance + o->radius));
+    l->width = visible ? l->gap / l->delta : 2.0;
+    l->visible = visible ? 1.0 : 0.0;
+    l->total_area = 2.0 * PSC_PI * l->width;
+    s->sides = 1;
+    s->total = l->total_area * (s->radius * s->radius);
+    return PSC_SUCCESS;
+}
+
+static inline int is_area_measure(psc_measure measure)
+{
+    return measure == PSC_MEASURE_AREA || measure == PSC_MEASURE_VISIBLE_AREA;
+}
+
+/* geometry: centre, radius. */
+static inline psc_result sphere_build(psc_sampler *s, const struct psc_request *request,
+                                      const double *geometry)
+{
+    const double radius = geometry[3];
+    struct psc_cap_view o;
+    int i;
+
+    if (radius < 0.0)
+        return PSC_ERROR_NEGATIVE_SIZE;
+    if (s->map == PSC_MAP_PARALLEL && !s->projected)
+        return PSC_ERROR_UNSUPPORTED_TECHNIQUE;
+    s->radius = radius;
+    for (i = 0; i < 3; i++) {
+        s->center[i] = geometry[i];
+        s->offset[i] = geometry[i] - request->position[i];
+    }
+    if (radius == 0.0)
+        return PSC_EMPTY;
+    see_sphere(request->position, request->normal, geometry, radius, &o);
+    if (!is_finite(o.distance))
+        return PSC_ERROR_NOT_FINITE;
+    s->distance = o.distance / o.scale;
+    s->inside = o.power < 0.0;
+    s->cap = o.cap;
+    if (is_area_measure(s->measure))
+        return area_side(s, &o);
+    if (s->inside) {
+        /* Light everywhere: the frame is that of the horizon, or any. */
+        static const double up[3] = {0.0, 0.0, 1.0};
+        static const struct psc_cap all = {1.0, 0.0, 1.0, 0.0, 0.0};
+
+        s->cap = all;
+        copy3(request->normal ? o.normal : up, o.normal);
+        copy3(o.normal, o.axis);
+        perpendicular(o.axis, o.sideways);
+    }
+    return cap_sides(s, &o);
+}
+
+/* geometry: axis, half-angle. */
+static inline psc_result distant_build(psc_sampler *s, const struct psc_request *request,
+                                       const double *geometry)
+{
+    const double half_angle = geometry[3];
+    struct psc_cap_view o;
+
+    s->distance = (double)INFINITY;
+    if (is_area_measure(s->measure) || (s->map == PSC_MAP_PARALLEL && !s->projected))
+        return PSC_ERROR_UNSUPPORTED_TECHNIQUE;
+    if (half_angle < 0.0)
+        return PSC_ERROR_NEGATIVE_SIZE;
+    if (half_angle > (s->projected ? 0.5 * PSC_PI : PSC_PI))
+        return PSC_ERROR_HALF_ANGLE;
+    if (largest(geometry) == 0.0)
+        return PSC_ERROR_ZERO_VECTOR;
+    if (half_angle == 0.0)
+        return PSC_EMPTY;
+    see_cap(request->normal, geometry, half_angle, &o);
+    s->cap = o.cap;
+    return cap_sides(s, &o);
+}
+
+#endif

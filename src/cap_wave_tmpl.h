@@ -1,0 +1,300 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Wavefronts of caps: a block of elements is seen in one loop, sorted by what the horizon leaves
+ * of each, built and sampled in one loop per kind, and finished in loops over the block. What
+ * has no loop (a receiver inside a sphere, both sides of a clipped light, area) is left to the
+ * calls for one; so are errors. The lane functions are those of the calls for one, so the bits
+ * are too. Template: see precision.h.
+ */
+#if PSC_REAL_BITS == 64
+#define WAVE_LOBE(l) l
+#else
+#define WAVE_LOBE(l) psc_lobe_round(&l)
+#endif
+
+/* The elements of one kind, packed. */
+struct FN(packed) {
+    double sin_a[PSC_BLOCK], cos_a[PSC_BLOCK], sin_b[PSC_BLOCK], cos_b[PSC_BLOCK];
+    double q2[PSC_BLOCK], h0[PSC_BLOCK], total[PSC_BLOCK];
+    real u[PSC_BLOCK], v[PSC_BLOCK];
+    struct FN(psc_cap_points) points;
+};
+
+#define WAVE_LOOP(build, lane, native)                                                         \
+    static void FN(wave_##lane)(struct FN(packed) *restrict k, size_t n)                       \
+    {                                                                                          \
+        size_t i;                                                                              \
+                                                                                               \
+        for (i = 0; i < n; i++) {                                                              \
+            const struct psc_cap cap = {k->sin_a[i], k->cos_a[i], k->sin_b[i], k->cos_b[i],    \
+                                        k->q2[i]};                                             \
+            struct psc_lobe_f64 wide;                                                          \
+            struct FN(psc_lobe) l;                                                             \
+            struct FN(psc_point) p;                                                            \
+                                                                                               \
+            build(&wide, &cap, k->h0[i]);                                                      \
+            l = WAVE_LOBE(wide);                                                               \
+            (void)l;                                                                           \
+            CAP_NATIVE(native, lane, &l, &wide, k->u[i], k->v[i], &p);                         \
+            CAP_STORE(&k->points, i, p);                                                       \
+            k->total[i] = wide.total;                                                          \
+        }                                                                                      \
+    }
+WAVE_LOOP(build_cone, radial_cone, 1)
+WAVE_LOOP(build_cone, concentric_cone, 1)
+WAVE_LOOP(build_ellipse, radial_ellipse, 1)
+WAVE_LOOP(build_radial_both, radial_both, 1)
+WAVE_LOOP(build_radial_lune, radial_lune, 0)
+WAVE_LOOP(build_ellipse, parallel_ellipse, 1)
+WAVE_LOOP(build_chord_both, parallel_both, 0)
+WAVE_LOOP(build_chord_lune, parallel_lune, 0)
+WAVE_LOOP(build_ellipse, concentric_ellipse, 1)
+WAVE_LOOP(build_chord_both, concentric_both, 0)
+WAVE_LOOP(build_chord_lune, concentric_lune, 0)
+#undef WAVE_LOOP
+
+typedef void (*FN(wave_loop))(struct FN(packed) *, size_t);
+#define WAVE_ROW(name, lane, native) FN(wave_##lane),
+static const FN(wave_loop) FN(wave_loops)[] = {PSC_CAP_MAPS(WAVE_ROW)};
+#undef WAVE_ROW
+
+/* Builds and samples the elements of one kind; their points go back to their places. */
+static void FN(wave_kind)(const struct views *o, const real *u, const real *v,
+                          const uint32_t *index, size_t n, enum psc_cap_map map,
+                          struct FN(psc_cap_points) *to, double *total)
+{
+    struct FN(packed) k;
+    size_t j;
+
+    for (j = 0; j < n; j++) {
+        const uint32_t i = index[j];
+
+        k.sin_a[j] = o->sin_a[i];
+        k.cos_a[j] = o->cos_a[i];
+        k.sin_b[j] = o->sign[i] * o->sin_b[i];
+        k.cos_b[j] = o->cos_b[i];
+        k.q2[j] = o->q2[i];
+        k.h0[j] = o->h0[i];
+        k.u[j] = u[i];
+        k.v[j] = v[i];
+    }
+    FN(wave_loops)[map](&k, n);
+    for (j = 0; j < n; j++) {
+        const uint32_t i = index[j];
+
+        to->x[i] = k.points.x[j];
+        to->y[i] = k.points.y[j];
+        to->z[i] = k.points.z[j];
+        to->height[i] = k.points.height[j];
+        to->power[i] = k.points.power[j];
+        total[i] = k.total[j];
+    }
+}
+
+/* The constants of one element, as cap_world() has them for a side. */
+PSC_LANE void FN(wave_frame)(const struct psc_wave *wave, const struct views *o, size_t i,
+                             int cone, struct FN(psc_cap_world) *w)
+{
+    const double axis[3] = {o->axis[0][i], o->axis[1][i], o->axis[2][i]};
+    const double sideways[3] = {o->sideways[0][i], o->sideways[1][i], o->sideways[2][i]};
+    const double normal[3] = {o->normal[0][i], o->normal[1][i], o->normal[2][i]};
+    double x[3];
+    int c;
+
+    (void)wave;
+    if (cone)
+        cross_rounded(sideways, axis, x);
+    else
+        cross_rounded(sideways, normal, x);
+    for (c = 0; c < 3; c++) {
+        w->x[c] = (real)x[c];
+        w->y[c] = (real)sideways[c];
+        w->z[c] = (real)(cone ? axis[c] : o->sign[i] * normal[c]);
+        w->axis[c] = (real)axis[c];
+    }
+}
+
+#define DIRECTION_LOOP(name, cone)                                                             \
+    static void FN(name)(const struct psc_wave *restrict wave, const struct views *restrict o, \
+                         const struct FN(psc_cap_points) *restrict p,                          \
+                         struct FN(psc_results) *restrict r)                                   \
+    {                                                                                          \
+        const size_t n = wave->count;                                                          \
+        size_t i;                                                                              \
+                                                                                               \
+        for (i = 0; i < n; i++) {                                                              \
+            struct FN(psc_cap_world) w;                                                        \
+                                                                                               \
+            FN(wave_frame)(wave, o, i, cone, &w);                                              \
+            FN(cap_direction)(&w, p->x[i], p->y[i], p->z[i], &r->value[0][i], &r->value[1][i], \
+                              &r->value[2][i]);                                                \
+        }                                                                                      \
+    }
+DIRECTION_LOOP(wave_cone_directions, 1)
+DIRECTION_LOOP(wave_projected_directions, 0)
+#undef DIRECTION_LOOP
+
+static void FN(wave_densities)(const struct psc_wave *restrict wave, const struct views *restrict o,
+                               const struct FN(psc_cap_points) *restrict p,
+                               const double *restrict total, struct FN(psc_results) *restrict r)
+{
+    const int projected = wave->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE;
+    const size_t n = wave->count;
+    struct FN(psc_cap_world) w;
+    real weight, pdf;
+    psc_result status;
+    size_t i;
+
+    w.facing = wave->facing;
+    w.projected = projected;
+    if (projected) {
+        for (i = 0; i < n; i++) {
+            r->value[PSC_PDF][i] = p->height[i] * (real)(1.0 / total[i]);
+            r->value[PSC_WEIGHT][i] = (real)total[i];
+        }
+        for (i = 0; i < n; i++)
+            r->status[i] = o->kind[i] == KIND_PENDING                      ? PSC_PENDING
+                           : o->kind[i] == KIND_EMPTY || !(total[i] > 0.0) ? PSC_EMPTY
+                                                                           : PSC_SUCCESS;
+    } else {
+        for (i = 0; i < n; i++) {
+            w.total = (real)total[i];
+            w.inverse_total = (real)(1.0 / total[i]);
+            FN(cap_density)(&w, p->height[i], &pdf, &weight, &status);
+            r->value[PSC_PDF][i] = pdf;
+            r->value[PSC_WEIGHT][i] = weight;
+            r->status[i] = o->kind[i] == KIND_PENDING                      ? PSC_PENDING
+                           : o->kind[i] == KIND_EMPTY || !(total[i] > 0.0) ? PSC_EMPTY
+                                                                           : status;
+        }
+    }
+}
+
+static void FN(wave_surfaces)(const struct psc_wave *wave, const struct views *o,
+                              const struct FN(psc_cap_points) *p, int distant,
+                              struct FN(psc_results) *r)
+{
+    const int cone = wave->measure != PSC_MEASURE_PROJECTED_SOLID_ANGLE;
+    real(*to)[PSC_BLOCK] = r->value;
+    size_t i;
+
+    for (i = 0; i < wave->count; i++) {
+        const struct psc_cap cap = {o->sin_a[i], o->cos_a[i], o->sign[i] * o->sin_b[i],
+                                    o->cos_b[i], o->q2[i]};
+        real direction[3] = {to[0][i], to[1][i], to[2][i]}, point[3], normal[3], distance;
+        struct FN(psc_cap_world) w;
+        double sin_b = cap.sin_b;
+        int c;
+
+        if (o->kind[i] == KIND_BOTH)
+            sin_b = MAX(sin_b, 0.0);
+        FN(wave_frame)(wave, o, i, cone, &w);
+        w.sin_a = (real)cap.sin_a;
+        w.cos_a = (real)cap.cos_a;
+        w.h0 = (real)o->h0[i];
+        w.sin_b = (real)sin_b;
+        w.cos_b = (real)cap.cos_b;
+        w.axial = (real)(cap.cos_a * sin_b * sin_b);
+        w.radius = (real)wave->geometry[3][i];
+        w.distance = (real)o->distance[i];
+        w.projected = !cone;
+        w.inside = 0;
+        w.distant = distant;
+        if (distant)
+            w.distance = (real)INFINITY;
+        for (c = 0; c < 3; c++)
+            w.center[c] = (real)wave->geometry[c][i];
+        FN(cap_surface)(&w, direction, p->x[i], p->y[i], p->z[i],
+                        FN(cap_depth)(&w, p->x[i], p->height[i], p->power[i]), point, normal,
+                        &distance);
+        for (c = 0; c < 3; c++) {
+            to[PSC_POINT + c][i] = point[c];
+            to[PSC_NORMAL + c][i] = normal[c];
+        }
+        to[PSC_DISTANCE][i] = distance;
+        to[PSC_SURFACE][i] = to[PSC_SURFACE + 1][i] = K(0.0);
+    }
+}
+
+/* Everything after seeing. */
+static void FN(wave_views)(const struct psc_wave *wave, const struct views *o, const real *u,
+                           const real *v, int distant, struct FN(psc_results) *r)
+{
+    static const enum psc_cap_map maps[KIND_COUNT][3] = {
+        [KIND_CONE] = {PSC_CAP_RADIAL_CONE, 0, PSC_CAP_CONCENTRIC_CONE},
+        [KIND_ELLIPSE] = {PSC_CAP_RADIAL_ELLIPSE, PSC_CAP_PARALLEL_ELLIPSE,
+                          PSC_CAP_CONCENTRIC_ELLIPSE},
+        [KIND_BOTH] = {PSC_CAP_RADIAL_BOTH, PSC_CAP_PARALLEL_BOTH, PSC_CAP_CONCENTRIC_BOTH},
+        [KIND_LUNE] = {PSC_CAP_RADIAL_LUNE, PSC_CAP_PARALLEL_LUNE, PSC_CAP_CONCENTRIC_LUNE},
+    };
+    uint32_t index[KIND_COUNT][PSC_BLOCK];
+    size_t count[KIND_COUNT] = {0}, i;
+    struct FN(psc_cap_points) points;
+    double total[PSC_BLOCK];
+    int kind;
+
+    for (i = 0; i < wave->count; i++) {
+        const int32_t k = o->kind[i];
+
+        index[k][count[k]++] = (uint32_t)i;
+    }
+    for (kind = KIND_PENDING; kind <= KIND_EMPTY; kind++)
+        for (i = 0; i < count[kind]; i++) {
+            const uint32_t j = index[kind][i];
+
+            points.x[j] = points.y[j] = points.z[j] = points.height[j] = points.power[j] = K(0.0);
+            total[j] = 1.0;
+        }
+    for (kind = KIND_CONE; kind < KIND_COUNT; kind++)
+        if (count[kind] > 0)
+            FN(wave_kind)(o, u, v, index[kind], count[kind], maps[kind][wave->map], &points,
+                          total);
+    if (wave->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE)
+        FN(wave_projected_directions)(wave, o, &points, r);
+    else
+        FN(wave_cone_directions)(wave, o, &points, r);
+    FN(wave_densities)(wave, o, &points, total, r);
+    if (wave->surface)
+        FN(wave_surfaces)(wave, o, &points, distant, r);
+}
+
+/* Leaves a block to the calls for one. */
+static int FN(wave_declined)(const struct psc_wave *wave, struct FN(psc_results) *r)
+{
+    const int declined = is_area_measure(wave->measure) ||
+                         (wave->map == PSC_MAP_PARALLEL &&
+                          wave->measure != PSC_MEASURE_PROJECTED_SOLID_ANGLE);
+    size_t i;
+
+    for (i = 0; declined && i < wave->count; i++)
+        r->status[i] = PSC_PENDING;
+    return declined;
+}
+
+static void FN(sphere_wave)(const struct psc_wave *wave, const real *u, const real *v,
+                            struct FN(psc_results) *r)
+{
+    struct views o;
+
+    if (FN(wave_declined)(wave, r))
+        return;
+    if (wave->facing == PSC_FACING_NONE)
+        see_spheres_around(wave, &o);
+    else
+        see_spheres(wave, &o);
+    FN(wave_views)(wave, &o, u, v, 0, r);
+}
+
+static void FN(distant_wave)(const struct psc_wave *wave, const real *u, const real *v,
+                             struct FN(psc_results) *r)
+{
+    struct views o;
+
+    if (FN(wave_declined)(wave, r))
+        return;
+    if (wave->facing == PSC_FACING_NONE)
+        see_caps_around(wave, &o);
+    else
+        see_caps(wave, &o);
+    FN(wave_views)(wave, &o, u, v, 1, r);
+}
