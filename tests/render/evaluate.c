@@ -1,0 +1,290 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "evaluate.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+const technique_row techniques[TECHNIQUES] = {
+    {"solid angle", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL},
+    {"projected, radial", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_RADIAL},
+    {"projected, parallel", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_PARALLEL},
+    {"projected, concentric", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_CONCENTRIC},
+};
+
+/* Pictures are kept at 1 and 4 samples; at these, times are medians. */
+enum { PICTURES = 2, COLUMNS = TECHNIQUES + 1, PASSES = 8, REPEATS = 32 };
+static const unsigned pictured[PICTURES] = {1, 4};
+
+/* An unoccluded estimate is the sum of totals rounded to float, each right within this. */
+static const double rounding = 0x1p-23;
+
+typedef struct evaluation {
+    const options *options;
+    scene scene;
+    frame frame;
+    irradiance reference, light, other;
+    double uncertainty; /* of the reference: its own RMS error, from its two halves */
+    curve curves[TECHNIQUES];
+    double deviation[TECHNIQUES]; /* worst relative one from form factors */
+    double singly[TECHNIQUES];    /* seconds of one sample a pixel by single calls */
+    panel panels[PICTURES * COLUMNS];
+    double done, work;
+    unsigned failures;
+} evaluation;
+
+static void advance(evaluation *e, double samples)
+{
+    e->done += samples;
+    progress(e->scene.name, e->done < e->work ? e->done / e->work : 1);
+}
+
+static void fail(evaluation *e, const char *words)
+{
+    printf("  FAILED: %s\n", words);
+    ++e->failures;
+}
+
+static sampling sample_with(const evaluation *e, unsigned technique, unsigned count)
+{
+    const technique_row *row = &techniques[technique];
+    return (sampling){.technique = {sizeof(psc_technique), row->measure, row->map, 0},
+                      .set = e->options->set,
+                      .seed = e->options->seed,
+                      .count = count};
+}
+
+static size_t hit_count(const evaluation *e)
+{
+    return e->frame.first[LAYERS];
+}
+
+/* ---- The reference ----------------------------------------------------------------------- */
+
+/* Many solid-angle samples in two independent halves; where nothing occludes these only check
+   the form factors, which are then the reference. */
+static void make_reference(evaluation *e)
+{
+    irradiance half[2] = {e->light, e->other};
+    for (unsigned h = 0; h < 2; ++h) {
+        sampling how = sample_with(e, 0, e->options->reference / 2);
+        how.set = POINTS_SOBOL;
+        how.seed = mix(e->options->seed + 0x51ed270bu + h);
+        how.every_layer = 1;
+        shade(&e->frame, &how, half[h]);
+        advance(e, LAYERS * how.count);
+    }
+    e->uncertainty = picture_rms(&e->frame, half[0], half[1], LAYERS, NULL) / 2;
+    for (size_t i = 0; i < hit_count(e); ++i)
+        for (int c = 0; c < 3; ++c)
+            e->reference[i][c] = (half[0][i][c] + half[1][i][c]) / 2;
+    printf("  reference: %u solid-angle samples a pixel, its own RMS error %.2g\n",
+           LAYERS * (e->options->reference / 2 * 2), e->uncertainty);
+    if (e->scene.open) {
+        memcpy(e->light, e->reference, hit_count(e) * sizeof *e->light);
+        shade_exactly(&e->frame, e->reference);
+        const double rms = picture_rms(&e->frame, e->light, e->reference, LAYERS, NULL);
+        printf("  replaced by form factors, exact here; RMS between the two %.2g\n", rms);
+        if (rms > 1.5 * e->uncertainty + rounding)
+            fail(e, "solid-angle samples do not converge to the form factors");
+    }
+}
+
+/* ---- Rendering --------------------------------------------------------------------------- */
+
+static int by_size(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double median(double *values, unsigned count)
+{
+    qsort(values, count, sizeof *values, by_size);
+    return count % 2 ? values[count / 2] : (values[count / 2 - 1] + values[count / 2]) / 2;
+}
+
+/* Infinite for a NaN, and for light where there is exactly none. */
+static double worst_deviation(const evaluation *e, unsigned count)
+{
+    double worst = 0;
+    for (unsigned k = 0; k < LAYERS && frame_share(k, count); ++k)
+        for (size_t i = e->frame.first[k]; i < e->frame.first[k + 1]; ++i)
+            for (int c = 0; c < 3; ++c) {
+                const double exact = e->reference[i][c], error = fabs(e->light[i][c] - exact);
+                if (error == 0)
+                    continue;
+                if (!(error / exact < INFINITY))
+                    return INFINITY;
+                worst = fmax(worst, error / exact);
+            }
+    return worst;
+}
+
+static void keep_panel(evaluation *e, unsigned row, unsigned column, double rms, const char *name)
+{
+    panel *p = &e->panels[row * COLUMNS + column];
+    const unsigned count = pictured[row];
+    const char *digits = rms < 1e-4 ? "RMS %.1e" : "RMS %.4f";
+
+    *p = (panel){.width = e->frame.width, .height = e->frame.height};
+    memcpy(p->crops, e->scene.crops, sizeof p->crops);
+    p->pixels = picture_make(&e->frame, column < TECHNIQUES ? e->light : e->reference,
+                             column < TECHNIQUES ? count : LAYERS);
+    if (column == TECHNIQUES) {
+        snprintf(p->heading, sizeof p->heading, "%s", name);
+        return;
+    }
+    snprintf(p->heading, sizeof p->heading, "%s, %u spp", name, count);
+    snprintf(p->label, sizeof p->label, digits, rms);
+    for (int i = 0; i < 2; ++i)
+        snprintf(p->crop_label[i], sizeof p->crop_label[i], digits,
+                 picture_rms(&e->frame, e->light, e->reference, count, &e->scene.crops[i]));
+}
+
+/* All techniques at this many samples, taken in turn so that the machine's mood is shared. */
+static void render(evaluation *e, unsigned count, unsigned row)
+{
+    double seconds[TECHNIQUES][REPEATS];
+    const unsigned repeats = row < PICTURES ? e->options->repeat : 1;
+
+    for (unsigned r = 0; r < repeats; ++r)
+        for (unsigned t = 0; t < TECHNIQUES; ++t) {
+            const sampling how = sample_with(e, t, count);
+            seconds[t][r] = shade(&e->frame, &how, e->light);
+            advance(e, count);
+            if (r + 1 < repeats)
+                continue;
+            curve *c = &e->curves[t];
+            c->samples[c->count] = count;
+            c->seconds[c->count] = median(seconds[t], repeats);
+            c->rms[c->count] = picture_rms(&e->frame, e->light, e->reference, count, NULL);
+            if (row < PICTURES)
+                keep_panel(e, row, t, c->rms[c->count], techniques[t].name);
+            if (e->scene.open)
+                e->deviation[t] = fmax(e->deviation[t], worst_deviation(e, count));
+            ++c->count;
+        }
+    if (row < PICTURES)
+        keep_panel(e, row, TECHNIQUES, 0, "reference");
+}
+
+/* The same by one build call and one sample call a point: the same bits, at another price. */
+static void render_singly(evaluation *e)
+{
+    for (unsigned t = 0; t < TECHNIQUES; ++t) {
+        sampling how = sample_with(e, t, 1);
+        shade(&e->frame, &how, e->light);
+        how.singly = 1;
+        e->singly[t] = shade(&e->frame, &how, e->other);
+        advance(e, 2);
+        if (memcmp(e->light, e->other, hit_count(e) * sizeof *e->light))
+            fail(e, "single calls and wavefront calls differ");
+    }
+}
+
+/* ---- The table --------------------------------------------------------------------------- */
+
+/* The error of solid-angle sampling at any number of samples: a power law between the measured
+   ones, and beyond the last of them. */
+static double baseline_rms(const curve *c, double samples)
+{
+    unsigned i = 0;
+    while (i + 2 < c->count && c->samples[i + 1] < samples)
+        ++i;
+    const double power = log(c->rms[i + 1] / c->rms[i]) / log(c->samples[i + 1] / c->samples[i]);
+    return c->rms[i] * pow(samples / c->samples[i], power);
+}
+
+static void print_table(evaluation *e)
+{
+    const curve *base = &e->curves[0];
+
+    printf("\n  %29s %35s\n", "", "as a ratio to solid angle");
+    printf("  spp  %-22s %9s %9s %9s  %8s %6s %9s %9s\n", "sampling", "RMS error", "seconds",
+           "ns/sample", "RMS", "time", "effic.", "RMS*");
+    for (unsigned row = 0; row < PICTURES; ++row)
+        for (unsigned t = 0; t < TECHNIQUES; ++t) {
+            const curve *c = &e->curves[t];
+            unsigned i = 0;
+            size_t samples = 0;
+            while (c->samples[i] < pictured[row])
+                ++i;
+            for (unsigned k = 0; k < LAYERS; ++k)
+                samples += (e->frame.first[k + 1] - e->frame.first[k]) *
+                           frame_share(k, pictured[row]) * e->scene.light_count;
+            const double rms = c->rms[i] / base->rms[i], time = c->seconds[i] / base->seconds[i];
+            const double equal = c->rms[i] / baseline_rms(base, time * pictured[row]);
+            printf("  %3u  %-22s %9.3g %9.3f %9.0f  %8.3g %6.2f %9.3g %9.3g\n", pictured[row],
+                   techniques[t].name, c->rms[i], c->seconds[i],
+                   1e9 * c->seconds[i] / (double)samples, rms, time, 1 / (rms * rms * time), equal);
+            if (t > 0 && !(rms < 1))
+                fail(e, "more error than solid angle at equal samples");
+        }
+    printf("  by single calls, 1 spp, seconds:");
+    for (unsigned t = 0; t < TECHNIQUES; ++t)
+        printf("%s %s %.3f", t ? "," : "", techniques[t].name, e->singly[t]);
+    printf("\n");
+    if (!e->scene.open)
+        return;
+    for (unsigned t = 1; t < TECHNIQUES; ++t) {
+        printf("  %s: worst relative deviation from the form factors %.2g\n", techniques[t].name,
+               e->deviation[t]);
+        if (!(e->deviation[t] <= rounding))
+            fail(e, "not noise-free to rounding");
+    }
+}
+
+static void write_pictures(const evaluation *e)
+{
+    char title[160];
+    const char *path = output_path(e->options, e->scene.name, ".png");
+
+    snprintf(title, sizeof title, "%s: RMS error against %s", e->scene.title,
+             e->scene.open ? "form factors, which are exact here" : "a converged reference");
+    sheet_write(path, title, e->panels, PICTURES, COLUMNS);
+    printf("  wrote %s: 1 and 4 samples a pixel, every technique beside the reference\n", path);
+    if (!e->scene.open) {
+        path = output_path(e->options, e->scene.name, "-rms.png");
+        chart_write(path, e->scene.title, e->curves, TECHNIQUES);
+        printf("  wrote %s: error against samples and against time\n", path);
+    }
+}
+
+unsigned evaluate(const options *o, int number, panel gallery[GALLERY])
+{
+    evaluation *e = allocate(1, sizeof *e);
+
+    e->options = o;
+    scene_make(&e->scene, number);
+    frame_make(&e->frame, &e->scene, o->width, o->threads);
+    e->reference = allocate(hit_count(e), sizeof *e->reference);
+    e->light = allocate(hit_count(e), sizeof *e->light);
+    e->other = allocate(hit_count(e), sizeof *e->other);
+    for (unsigned t = 0; t < TECHNIQUES; ++t)
+        e->curves[t].name = techniques[t].name;
+    e->work = LAYERS * o->reference + 2 * TECHNIQUES;
+    for (unsigned n = 1; n <= o->samples; n *= 2)
+        e->work += TECHNIQUES * n * (n == 1 || n == 4 ? o->repeat : 1);
+
+    printf("\n%s\n  %u x %u pixels, %zu light%s\n", e->scene.title, e->frame.width,
+           e->frame.height, e->scene.light_count, e->scene.light_count > 1 ? "s" : "");
+    make_reference(e);
+    for (unsigned n = 1; n <= o->samples; n *= 2)
+        render(e, n, n == 1 ? 0 : n == 4 ? 1 : PICTURES);
+    render_singly(e);
+    print_table(e);
+    write_pictures(e);
+
+    for (unsigned i = 0; i < PICTURES * COLUMNS; ++i)
+        if (i < GALLERY)
+            gallery[i] = e->panels[i];
+        else
+            free(e->panels[i].pixels);
+    const unsigned failures = e->failures;
+    frame_free(&e->frame);
+    free(e->reference);
+    free(e->light);
+    free(e->other);
+    free(e);
+    return failures;
+}

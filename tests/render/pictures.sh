@@ -1,0 +1,20 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Makes the pictures that the README shows anew, with few colours and so small; needs ImageMagick.
+# Programs are taken from the build directory BUILD.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+build=${BUILD:-$here/../../build}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+shrink() {
+    convert "$work/$1.png" +dither -colors "$2" -define png:compression-level=9 \
+        "png8:$here/pictures/$1.png"
+}
+"$build/tests/render/maps" "$work/maps.png"
+"$build/tests/render/render" --output "$work" --width 224 --repeat 1 --samples 4 \
+    cornell cornell-open sun
+shrink gallery 255
+shrink sun 96
+shrink maps 24

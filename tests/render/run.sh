@@ -1,0 +1,16 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Builds the library and renders every scene with every technique: the main job, on a machine that
+# needs nothing but Debian and compilers. Arguments are passed to render (see render --help);
+# BUILD names another build directory, OUTPUT another place for the pictures.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+build=${BUILD:-$here/../../build}
+output=${OUTPUT:-$build/pictures}
+
+sh "$here/../setup.sh" "$build"
+meson compile -C "$build" render maps
+mkdir -p "$output"
+"$build/tests/render/maps" "$output/maps.png"
+"$build/tests/render/render" --output "$output" "$@"
+echo "The pictures are in $output."
