@@ -8,14 +8,14 @@
 #include "../calls.h"
 
 #define BITS 64
-#include "real.h"
+#include "../real.h"
 #include "vectors_tmpl.h"
 #include "paper_tmpl.h"
 #include "errors_tmpl.h"
 
 #undef BITS
 #define BITS 32
-#include "real.h"
+#include "../real.h"
 #include "vectors_tmpl.h"
 #include "paper_tmpl.h"
 #include "errors_tmpl.h"

@@ -7,7 +7,7 @@
 #include "../calls.h"
 
 #define BITS 64
-#include "real.h"
+#include "../real.h"
 #include "vectors_tmpl.h"
 #include "cone_tmpl.h"
 #include "paper_tmpl.h"
@@ -15,7 +15,7 @@
 
 #undef BITS
 #define BITS 32
-#include "real.h"
+#include "../real.h"
 #include "vectors_tmpl.h"
 #include "cone_tmpl.h"
 #include "paper_tmpl.h"

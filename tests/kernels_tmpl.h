@@ -1,0 +1,392 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Arrays of every layout in memory of exactly their size, so that a sanitizer sees what reads or
+ * writes beyond them, and calls whose results are compared to the last bit. Template: see real.h.
+ */
+
+/* What a call gives for one element, and what memory holds that was never written. */
+struct FN(record) {
+    FN(psc_light_sample) sample;
+    psc_result status;
+};
+
+static real FN(component)(const struct FN(record) *record, int c)
+{
+    real value;
+
+    memcpy(&value, (const char *)&record->sample + (size_t)c * sizeof value, sizeof value);
+    return value;
+}
+
+static int FN(same)(real a, real b)
+{
+    return memcmp(&a, &b, sizeof a) == 0 || (a != a && b != b);
+}
+
+/* ---- Inputs ---- */
+
+struct FN(source) {
+    enum layout layout;
+    size_t count;
+    int components;
+    void *memory[MAX_INPUTS]; /* the first alone in records */
+};
+
+static void FN(make_source)(struct FN(source) *s, enum layout layout, size_t count,
+                            int components, real (*values)[COUNT_MAX])
+{
+    size_t i;
+    int c;
+
+    memset(s, 0, sizeof *s);
+    s->layout = layout;
+    s->count = count;
+    s->components = components;
+    if (layout == LAYOUT_RECORDS)
+        s->memory[0] = allocate(count * (size_t)components * sizeof(real));
+    for (c = 0; c < components; c++) {
+        real *to = layout == LAYOUT_RECORDS ? s->memory[0]
+                                            : (s->memory[c] = allocate(count * sizeof(real)));
+
+        for (i = 0; i < count; i++)
+            if (layout == LAYOUT_RECORDS)
+                to[i * (size_t)components + (size_t)c] = values[c][i];
+            else
+                to[layout == LAYOUT_REVERSED ? count - 1 - i : i] = values[c][i];
+    }
+}
+
+static FN(psc_input) FN(input)(const struct FN(source) *s, int first, int components)
+{
+    FN(psc_input) input = {{NULL, NULL, NULL}, sizeof(real)};
+    int c;
+
+    for (c = 0; c < components; c++)
+        input.component[c] = s->layout == LAYOUT_RECORDS ? (real *)s->memory[0] + first + c
+                                                         : s->memory[first + c];
+    if (s->layout == LAYOUT_RECORDS)
+        input.stride *= s->components;
+    if (s->layout == LAYOUT_REVERSED) {
+        input.stride = -input.stride;
+        for (c = 0; c < components && s->count > 0; c++)
+            input.component[c] += s->count - 1;
+    }
+    return input;
+}
+
+static void FN(free_source)(struct FN(source) *s)
+{
+    int c;
+
+    for (c = 0; c < MAX_INPUTS; c++)
+        free(s->memory[c]);
+}
+
+/* ---- Outputs ---- */
+
+struct FN(sink) {
+    enum layout layout;
+    size_t count;
+    unsigned wanted; /* a bit for each component */
+    void *memory[COMPONENTS + 1];
+    FN(psc_samples) out;
+};
+
+static FN(psc_output) FN(output)(struct FN(sink) *s, int first, int components)
+{
+    FN(psc_output) output = {{NULL, NULL, NULL}, sizeof(real)};
+    int c;
+
+    if (s->layout == LAYOUT_RECORDS)
+        output.stride = sizeof(struct FN(record));
+    if (s->layout == LAYOUT_REVERSED)
+        output.stride = -output.stride;
+    for (c = 0; c < components; c++)
+        if (s->wanted >> (first + c) & 1) {
+            if (s->layout == LAYOUT_RECORDS) {
+                output.component[c] = (real *)s->memory[0] + first + c;
+                continue;
+            }
+            s->memory[first + c] = allocate(s->count * sizeof(real));
+            output.component[c] = s->memory[first + c];
+            if (s->layout == LAYOUT_REVERSED && s->count > 0)
+                output.component[c] += s->count - 1;
+        }
+    return output;
+}
+
+static void FN(make_sink)(struct FN(sink) *s, enum layout layout, size_t count, unsigned wanted)
+{
+    memset(s, 0, sizeof *s);
+    s->layout = layout;
+    s->count = count;
+    s->wanted = wanted;
+    if (layout == LAYOUT_RECORDS)
+        s->memory[0] = allocate(count * sizeof(struct FN(record)));
+    s->out.struct_size = sizeof s->out;
+    s->out.direction = FN(output)(s, 0, 3);
+    s->out.pdf = FN(output)(s, 3, 1);
+    s->out.point = FN(output)(s, 4, 3);
+    s->out.distance = FN(output)(s, 7, 1);
+    s->out.normal = FN(output)(s, 8, 3);
+    s->out.weight = FN(output)(s, 11, 1);
+    s->out.surface = FN(output)(s, 12, 2);
+    if (layout == LAYOUT_RECORDS) {
+        s->out.status.data = &((struct FN(record) *)s->memory[0])->status;
+        s->out.status.stride = sizeof(struct FN(record));
+    } else {
+        s->out.status.data = s->memory[COMPONENTS] = allocate(count * sizeof(psc_result));
+        s->out.status.stride = sizeof(psc_result);
+    }
+}
+
+static void FN(free_sink)(struct FN(sink) *s)
+{
+    int c;
+
+    for (c = 0; c <= COMPONENTS; c++)
+        free(s->memory[c]);
+}
+
+static real FN(output_value)(const struct FN(sink) *s, int c, size_t i)
+{
+    if (s->layout == LAYOUT_RECORDS)
+        return FN(component)((const struct FN(record) *)s->memory[0] + i, c);
+    return ((const real *)s->memory[c])[s->layout == LAYOUT_REVERSED ? s->count - 1 - i : i];
+}
+
+static psc_result FN(output_status)(const struct FN(sink) *s, size_t i)
+{
+    return *(const psc_result *)(const void *)((const char *)s->out.status.data +
+                                               (ptrdiff_t)i * s->out.status.stride);
+}
+
+/* Whether all that was written is as expected, and nothing else was written. */
+static int FN(compare)(struct tally *tally, const struct FN(sink) *s,
+                       const struct FN(record) *expected)
+{
+    struct FN(record) untouched;
+    size_t i;
+    int c;
+
+    fill(&untouched, sizeof untouched);
+    for (i = 0; i < s->count; i++) {
+        if (FN(output_status)(s, i) != expected[i].status)
+            return tally_add(tally, i, "status", FN(output_status)(s, i), expected[i].status);
+        for (c = 0; c < COMPONENTS; c++) {
+            const int wanted = s->wanted >> c & 1;
+            const real value = FN(component)(wanted ? expected + i : &untouched, c);
+
+            if ((wanted || s->layout == LAYOUT_RECORDS) &&
+                !FN(same)(FN(output_value)(s, c, i), value))
+                return tally_add(tally, i, component_names[c],
+                                 (double)FN(output_value)(s, c, i), (double)value);
+        }
+        tally->compared++;
+    }
+    return 1;
+}
+
+/* ---- Many samples of one build ---- */
+
+static void FN(sample_each)(const psc_sampler *sampler, size_t count,
+                            real (*uv)[COUNT_MAX], struct FN(record) *to)
+{
+    size_t i;
+
+    fill(to, count * sizeof *to);
+    for (i = 0; i < count; i++)
+        to[i].status = FN(psc_sample)(sampler, uv[0][i], uv[1][i], &to[i].sample);
+}
+
+static void FN(check_batch)(struct tally *tally, const psc_sampler *sampler, enum layout layout,
+                            unsigned wanted, size_t count, real (*uv)[COUNT_MAX],
+                            const struct FN(record) *expected)
+{
+    struct FN(source) source;
+    struct FN(sink) sink;
+    FN(psc_input) input;
+    psc_result result;
+
+    FN(make_source)(&source, layout, count, 2, uv);
+    FN(make_sink)(&sink, layout, count, wanted);
+    input = FN(input)(&source, 0, 2);
+    result = FN(psc_sample_n)(sampler, count, &input, &sink.out);
+    if (result != PSC_SUCCESS && result != PSC_EMPTY)
+        tally_add(tally, 0, "result", result, PSC_SUCCESS);
+    else
+        FN(compare)(tally, &sink, expected);
+    FN(free_sink)(&sink);
+    FN(free_source)(&source);
+}
+
+/* One value for all elements, by a stride of 0. */
+static void FN(check_repeated)(struct tally *tally, const psc_sampler *sampler, real u, real v,
+                               const struct FN(record) *expected)
+{
+    const FN(psc_input) input = {{&u, &v, NULL}, 0};
+    struct FN(record) all[REPEATED];
+    struct FN(sink) sink;
+    int i;
+
+    for (i = 0; i < REPEATED; i++)
+        all[i] = *expected;
+    FN(make_sink)(&sink, LAYOUT_SEPARATE, REPEATED, ALL_COMPONENTS);
+    FN(psc_sample_n)(sampler, REPEATED, &input, &sink.out);
+    FN(compare)(tally, &sink, all);
+    FN(free_sink)(&sink);
+}
+
+/* All ways to take samples of a light with a variant, against single ones of the first. */
+static void FN(check_light)(struct tally *tally, const struct light *light,
+                            const struct variant *variant)
+{
+    static real uv[2][COUNT_MAX];
+    static struct FN(record) expected[COUNT_MAX], got[COUNT_MAX];
+    struct test_sampler memory;
+    psc_sampler *sampler = make_sampler(&memory);
+    size_t i, count;
+    int c, layout;
+
+    for (i = 0; i < COUNT_MAX; i++) {
+        uv[0][i] = (real)coordinate(2 * i);
+        uv[1][i] = (real)coordinate(2 * i + 1);
+    }
+    variant_use(variants);
+    build_light(sampler, light);
+    FN(sample_each)(sampler, COUNT_MAX, uv, expected);
+    variant_use(variant);
+    build_light(sampler, light);
+    FN(sample_each)(sampler, COUNT_MAX, uv, got);
+    for (i = 0; i < COUNT_MAX; i++) {
+        if (got[i].status != expected[i].status)
+            tally_add(tally, i, "single status", got[i].status, expected[i].status);
+        for (c = 0; c < COMPONENTS; c++)
+            if (!FN(same)(FN(component)(got + i, c), FN(component)(expected + i, c)))
+                tally_add(tally, i, component_names[c], (double)FN(component)(got + i, c),
+                          (double)FN(component)(expected + i, c));
+    }
+    for (count = 0; count <= COUNT_MAX; count = next_count(count))
+        for (layout = 0; layout < LAYOUTS; layout++)
+            FN(check_batch)(tally, sampler, layout, some_components(count + (size_t)layout),
+                            count, uv, expected);
+    FN(check_repeated)(tally, sampler, uv[0][7], uv[1][7], expected + 7);
+}
+
+/* ---- Wavefronts ---- */
+
+static struct FN(record) FN(single)(const struct wavefront *w, real (*values)[COUNT_MAX],
+                                    size_t i)
+{
+    struct test_sampler memory;
+    psc_sampler *sampler = make_sampler(&memory);
+    double geometry[UV];
+    struct FN(record) record;
+    int c;
+
+    fill(&record, sizeof record);
+    for (c = 0; c < UV; c++)
+        geometry[c] = (double)values[c][i];
+    record.status = build_parts(sampler, w, geometry + POSITION, geometry + NORMAL,
+                                geometry + CENTER, geometry[RADIUS]);
+    if (record.status == PSC_SUCCESS)
+        record.status =
+            FN(psc_sample)(sampler, values[UV][i], values[UV + 1][i], &record.sample);
+    return record;
+}
+
+static psc_result FN(call)(const struct wavefront *w, size_t count,
+                           const FN(psc_receivers) *receivers, const FN(psc_input) *center,
+                           const FN(psc_input) *radius, const FN(psc_input) *uv,
+                           const FN(psc_samples) *out)
+{
+    const psc_technique technique = make_technique(w->what->measure, w->what->map);
+
+    return w->distant ? FN(psc_cap_sample_n)(&technique, count, receivers, center, radius, uv, out)
+                      : FN(psc_sphere_sample_n)(&technique, count, receivers, center, radius, uv,
+                                                out);
+}
+
+static void FN(check_count)(struct tally *tally, const struct wavefront *w, enum layout layout,
+                            unsigned wanted, size_t count, real (*values)[COUNT_MAX],
+                            const struct FN(record) *expected)
+{
+    struct FN(source) source;
+    struct FN(sink) sink;
+    FN(psc_receivers) receivers = {.struct_size = sizeof receivers, .flags = w->flags};
+    FN(psc_input) center, radius, uv;
+    psc_result result;
+
+    FN(make_source)(&source, layout, count, MAX_INPUTS, values);
+    FN(make_sink)(&sink, layout, count, wanted);
+    receivers.position = FN(input)(&source, POSITION, 3);
+    if (w->has_normal)
+        receivers.normal = FN(input)(&source, NORMAL, 3);
+    center = FN(input)(&source, CENTER, 3);
+    radius = FN(input)(&source, RADIUS, 1);
+    uv = FN(input)(&source, UV, 2);
+    result = FN(call)(w, count, &receivers, &center, &radius, &uv, &sink.out);
+    if (result != PSC_SUCCESS)
+        tally_add(tally, 0, "result", result, PSC_SUCCESS);
+    else
+        FN(compare)(tally, &sink, expected);
+    FN(free_sink)(&sink);
+    FN(free_source)(&source);
+}
+
+/* One light and one receiver for all elements, by strides of 0. */
+static void FN(check_shared)(struct tally *tally, const struct wavefront *w,
+                             real (*values)[COUNT_MAX])
+{
+    struct FN(record) expected[REPEATED];
+    FN(psc_receivers) receivers = {.struct_size = sizeof receivers, .flags = w->flags};
+    FN(psc_input) inputs[4]; /* position, normal, center, radius */
+    const FN(psc_input) uv = {{values[UV], values[UV + 1], NULL}, sizeof(real)};
+    struct FN(sink) sink;
+    int i, c;
+
+    for (i = 0; i < 4; i++) {
+        inputs[i].stride = 0;
+        for (c = 0; c < 3; c++)
+            inputs[i].component[c] = i == 3 && c > 0 ? NULL : values[3 * i + c];
+    }
+    receivers.position = inputs[0];
+    if (w->has_normal)
+        receivers.normal = inputs[1];
+    for (i = 0; i < REPEATED; i++) {
+        for (c = 0; c < UV; c++)
+            values[c][i] = values[c][0];
+        expected[i] = FN(single)(w, values, (size_t)i);
+    }
+    FN(make_sink)(&sink, LAYOUT_SEPARATE, REPEATED, ALL_COMPONENTS);
+    FN(call)(w, REPEATED, &receivers, inputs + 2, inputs + 3, &uv, &sink.out);
+    FN(compare)(tally, &sink, expected);
+    FN(free_sink)(&sink);
+}
+
+/* Mixed lights in one array, against single ones of the first variant. */
+static void FN(check_wavefront)(struct tally *tally, const struct wavefront *w,
+                                const struct variant *variant)
+{
+    static real values[MAX_INPUTS][COUNT_MAX];
+    static struct FN(record) expected[COUNT_MAX];
+    size_t i, count;
+    int c, layout;
+
+    variant_use(variants);
+    for (i = 0; i < COUNT_MAX; i++) {
+        double element[MAX_INPUTS];
+
+        make_element(w, i, element);
+        for (c = 0; c < MAX_INPUTS; c++)
+            values[c][i] = (real)element[c];
+        expected[i] = FN(single)(w, values, i);
+        tally->statuses[expected[i].status < 0 ? 4 : expected[i].status]++;
+    }
+    variant_use(variant);
+    for (count = 0; count <= COUNT_MAX; count = next_count(count))
+        for (layout = 0; layout < LAYOUTS; layout++)
+            FN(check_count)(tally, w, layout, some_components(count + (size_t)layout), count,
+                            values, expected);
+    FN(check_shared)(tally, w, values);
+}
