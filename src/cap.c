@@ -20,7 +20,7 @@ static psc_result no_area(const psc_sampler *s, double *value)
 }
 
 const struct psc_shape_row psc_shape_cap = {
-    PSC_SHAPE_CAP, PSC_KERNEL_CAP, "vs", psc_cap_whole_solid_angle,
+    PSC_SHAPE_CAP, PSC_KERNEL_CAP, "vs", 4, psc_cap_whole_solid_angle,
     psc_cap_projected_solid_angle, no_area, psc_cap_pdf, psc_cap_invert};
 
 psc_result psc_build_cap(psc_sampler *sampler, const psc_technique *technique,
@@ -75,7 +75,7 @@ psc_result psc_cap_form_factor(const psc_receiver *receiver, const double axis[3
 
     if (!form_factor || !axis)
         return PSC_ERROR_NULL_POINTER;
-    result = psc_read_receiver(receiver, &request);
+    result = psc_check_receiver(receiver, &request);
     if (result != PSC_SUCCESS)
         return result;
     if (!request.normal)

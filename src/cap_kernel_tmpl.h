@@ -7,7 +7,7 @@
 /* The constants of a side in the precision of the kernel. */
 struct FN(psc_cap_world) {
     real x[3], y[3], z[3], axis[3];
-    real position[3], center[3], offset[3];
+    real center[3], offset[3];
     real sin_a, cos_a, h0, sin_b, cos_b, axial; /* axial = cos alpha sin^2 beta */
     real radius, distance, slack;        /* slack = (radius - distance)(radius + distance) */
     real total, inverse_total;
@@ -25,7 +25,6 @@ PSC_LANE void FN(cap_world)(const psc_sampler *s, const struct psc_side *side,
         w->y[i] = (real)side->y[i];
         w->z[i] = (real)side->z[i];
         w->axis[i] = (real)side->axis[i];
-        w->position[i] = (real)s->position[i];
         w->center[i] = (real)s->center[i];
         w->offset[i] = (real)s->offset[i];
     }
@@ -205,43 +204,54 @@ PSC_LANE void FN(area_surface)(const struct FN(psc_cap_world) *w, const struct F
     }
 }
 
+static psc_result FN(area_sample)(const psc_sampler *s, const struct psc_side *side, real u,
+                                  real v, FN(psc_light_sample) *out)
+{
+    const struct FN(psc_lobe) l = CAP_LOBE(side);
+    struct FN(psc_cap_world) w;
+    struct FN(psc_point) p;
+    real inverse;
+
+    FN(cap_world)(s, side, &w);
+    if (side->map == PSC_CAP_RADIAL_AREA)
+        FN(radial_area)(&l, u, v, &p, &out->pdf, &inverse);
+    else
+        FN(concentric_area)(&l, u, v, &p, &out->pdf, &inverse);
+    FN(cap_direction)(&w, p.x, p.y, p.z, out->direction, out->direction + 1, out->direction + 2);
+    FN(area_surface)(&w, &l, p.x, p.y, p.power, out->point, out->normal, &out->distance);
+    return FN(area_density)(&w, p.height, inverse, &out->weight);
+}
+
 static psc_result FN(cap_sample)(const psc_sampler *s, real u, real v,
                                  FN(psc_light_sample) *out)
 {
     const struct psc_side *side;
     struct FN(psc_cap_world) w;
-    struct FN(psc_lobe) l;
     struct FN(psc_point) p;
     psc_result status;
-    real inverse;
 
     if (s->sides == 0)
         return PSC_EMPTY;
     side = s->side + FN(cap_pick_side)(s, u, &u);
-    FN(cap_world)(s, side, &w);
-    l = CAP_LOBE(side);
     out->surface[0] = out->surface[1] = K(0.0);
     switch (side->map) {
-#define CAP_CASE(name, lane, native)                                \
-    case PSC_CAP_##name:                                            \
-        CAP_NATIVE(native, lane, &l, &side->lobe, u, v, &p);        \
-        break;
+#define CAP_CASE(name, lane, native)                                 \
+    case PSC_CAP_##name: {                                           \
+        const struct FN(psc_lobe) l = CAP_LOBE(side);                \
+                                                                     \
+        (void)l;                                                     \
+        CAP_NATIVE(native, lane, &l, &side->lobe, u, v, &p);         \
+        break;                                                       \
+    }
         PSC_CAP_MAPS(CAP_CASE)
 #undef CAP_CASE
     case PSC_CAP_RADIAL_AREA:
     case PSC_CAP_CONCENTRIC_AREA:
-        if (side->map == PSC_CAP_RADIAL_AREA)
-            FN(radial_area)(&l, u, v, &p, &out->pdf, &inverse);
-        else
-            FN(concentric_area)(&l, u, v, &p, &out->pdf, &inverse);
-        status = FN(area_density)(&w, p.height, inverse, &out->weight);
-        FN(cap_direction)(&w, p.x, p.y, p.z, out->direction, out->direction + 1,
-                          out->direction + 2);
-        FN(area_surface)(&w, &l, p.x, p.y, p.power, out->point, out->normal, &out->distance);
-        return status;
+        return FN(area_sample)(s, side, u, v, out);
     default:
         return PSC_EMPTY;
     }
+    FN(cap_world)(s, side, &w);
     FN(cap_density)(&w, p.height, &out->pdf, &out->weight, &status);
     FN(cap_direction)(&w, p.x, p.y, p.z, out->direction, out->direction + 1, out->direction + 2);
     FN(cap_surface)(&w, out->direction, p.x, p.y, p.z,

@@ -4,66 +4,54 @@
 
 #include "sampler.h"
 
-/* Every variant that was compiled; tests reach them all by these names. */
-extern const struct psc_kernel_f32 psc_kernels_f32_base[];
-extern const struct psc_kernel_f64 psc_kernels_f64_base[];
+#define DECLARE(isa)                                          \
+    extern const struct psc_kernel_f32 psc_kernels_f32_##isa[]; \
+    extern const struct psc_kernel_f64 psc_kernels_f64_##isa[];
+#define VARIANT(isa) {#isa, psc_kernels_f32_##isa, psc_kernels_f64_##isa}
+
+DECLARE(base)
 #if defined(PSC_HAVE_AVX2)
-extern const struct psc_kernel_f32 psc_kernels_f32_avx2[];
-extern const struct psc_kernel_f64 psc_kernels_f64_avx2[];
+DECLARE(avx2)
 #endif
 #if defined(PSC_HAVE_AVX512)
-extern const struct psc_kernel_f32 psc_kernels_f32_avx512[];
-extern const struct psc_kernel_f64 psc_kernels_f64_avx512[];
+DECLARE(avx512)
 #endif
 
-static const struct {
-    const struct psc_kernel_f32 *f32;
-    const struct psc_kernel_f64 *f64;
-} variants[] = {
-    {psc_kernels_f32_base, psc_kernels_f64_base},
+const struct psc_variant psc_variants[] = {
+    VARIANT(base),
 #if defined(PSC_HAVE_AVX2)
-    {psc_kernels_f32_avx2, psc_kernels_f64_avx2},
+    VARIANT(avx2),
 #endif
 #if defined(PSC_HAVE_AVX512)
-    {psc_kernels_f32_avx512, psc_kernels_f64_avx512},
+    VARIANT(avx512),
 #endif
 };
+const unsigned psc_variant_count = sizeof psc_variants / sizeof *psc_variants;
 
-/* The best of them that the CPU and the operating system run. */
-static unsigned best_variant(void)
+/* Exactly the features that meson.build compiles the variant for. */
+int psc_variant_runs(unsigned variant)
 {
-    unsigned best = 0;
-
 #if defined(PSC_HAVE_AVX2)
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        best = 1;
+    if (psc_variants[variant].f64 == psc_kernels_f64_avx2)
+        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
 #endif
 #if defined(PSC_HAVE_AVX512)
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-        __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma"))
-        best = sizeof variants / sizeof *variants - 1;
+    if (psc_variants[variant].f64 == psc_kernels_f64_avx512)
+        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+               __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma");
 #endif
-    return best;
+    return variant == 0;
 }
 
-static unsigned variant(void)
+const struct psc_variant *psc_dispatch(void)
 {
     static atomic_uint cached; /* 0: not known yet; every thread would find the same */
     unsigned v = atomic_load_explicit(&cached, memory_order_relaxed);
 
     if (v == 0) {
-        v = best_variant() + 1;
+        for (v = psc_variant_count; !psc_variant_runs(v - 1); v--)
+            ;
         atomic_store_explicit(&cached, v, memory_order_relaxed);
     }
-    return v - 1;
-}
-
-const struct psc_kernel_f32 *psc_dispatch_f32(enum psc_kernel_index shape)
-{
-    return variants[variant()].f32 + shape;
-}
-
-const struct psc_kernel_f64 *psc_dispatch_f64(enum psc_kernel_index shape)
-{
-    return variants[variant()].f64 + shape;
+    return psc_variants + (v - 1);
 }

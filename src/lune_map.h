@@ -80,9 +80,9 @@ PSC_LANE void tip_slopes(double x, double *h1, double *h2)
 /* The variable in which the distance from the tip is smooth, for r of the area remaining. */
 PSC_LANE double lune_variable(const struct psc_lobe_f64 *l, double r)
 {
-    const double c = rough_cbrt(r);
+    const double c = rough_cbrt(r), w = tip_layer(l->layer * c) * l->layer_width;
 
-    return l->layer > 0.0 ? tip_layer(l->layer * c) * l->layer_width : c;
+    return l->layer > 0.0 ? w : c;
 }
 
 /* psi where the share u = 1 - r of F is reached: start within 1.4e-3 of the distance from the
@@ -142,53 +142,57 @@ PSC_LANE void radial_lune_f64(const struct psc_lobe_f64 *l, double s, double t,
     p->power = -s * v2;
 }
 
-/* Completes a lobe for radial_lune_f64(). Needs psi_l and the total. */
+/* What the last factor of the start value has to be for it to be exact at psi = share psi_l. */
+PSC_LANE double lune_fit(const struct psc_lobe_f64 *l, double share, double *w)
+{
+    const double psi = share * l->psi_l, d = 1.0 - share;
+    double sine_defect, versine, w1;
+
+    sine_cosine_defects_f64(psi, &sine_defect, &versine);
+    *w = lune_variable(l, 1.0 - lune_area(l, psi - sine_defect, versine) / l->total);
+    w1 = 1.0 - *w;
+    return (((d / *w - l->a1) / *w - l->a2) / *w - l->e0 + w1 * (l->q1 - w1 * l->q2nd)) /
+           (w1 * w1 * w1);
+}
+
+/*
+ * Completes a lobe for radial_lune_f64(): the start values. Needs psi_l and the total; q =
+ * sqrt(q2). The distance from the tip, d = 1 - psi / psi_l, is a smooth function of
+ * W(r) = w(layer cbrt r) / w(layer), where w(x) = x for lunes thin enough to have no layer:
+ * value, slope and curvature at the tip and at u = 0, and two points between, fix it.
+ */
 PSC_LANE void radial_lune_build(struct psc_lobe_f64 *l, double q)
 {
-    static const double nodes[2] = {0.38, 0.73};
-    const double sb = -l->sin_b, k = l->k, total = l->total;
-    const double x = total * q / (l->sin_a * l->sin_a * k);
+    const double sb = -l->sin_b, k = l->k;
+    const double x = l->total * q / (l->sin_a * l->sin_a * k);
     const double x_l = l->cos_a / l->cos_b, y_l = q / l->cos_b;
     const int thick = q >= l->cos_a * sb;
-    /* W(r) = w(layer cbrt r) / w(layer): its derivatives at r = 1, for w(x) = x if thin. */
-    const double layer = rough_cbrt(3.0 * x);
-    const double width = thick ? tip_layer(layer) : layer, z = width * k / q;
-    double slope = 1.0 / 3.0, bend = -2.0 / 9.0, fit[2], w[2], g, m0, d1, d2;
-    int i;
+    const double layer = rough_cbrt(3.0 * x), width_thick = tip_layer(layer);
+    const double width = thick ? width_thick : layer, z = width * k / q;
+    double h1, h2, slope, bend, g, m0, d1, d2, fit0, fit1, w0, w1;
 
-    l->layer = 0.0;
-    l->layer_width = 1.0;
-    if (thick) {
-        double h1, h2;
+    tip_slopes(layer, &h1, &h2);
+    l->layer = thick ? layer : 0.0;
+    l->layer_width = 1.0 / width;
+    slope = (x + h1 * layer * (1.0 / 3.0)) * l->layer_width;
+    bend = (h2 * layer - 2.0 * h1) * layer * (1.0 / 9.0) * l->layer_width;
+    slope = thick ? slope : 1.0 / 3.0;
+    bend = thick ? bend : -2.0 / 9.0;
 
-        tip_slopes(layer, &h1, &h2);
-        l->layer = layer;
-        l->layer_width = 1.0 / width;
-        slope = (x + h1 * layer * (1.0 / 3.0)) * l->layer_width;
-        bend = (h2 * layer - 2.0 * h1) * layer * (1.0 / 9.0) * l->layer_width;
-    }
     g = 0.75 * (-x_l / y_l - l->x_e * y_l / (l->sin_a * l->sin_a));
     l->a1 = z / l->psi_l;
     l->a2 = -g * z * z / (3.0 * l->psi_l);
-    m0 = l->del * l->v0 * l->v0 / (k * k + l->v0 * l->v0) * l->psi_l / total;
+    m0 = l->del * l->v0 * l->v0 / (k * k + l->v0 * l->v0) * l->psi_l / l->total;
     d1 = 1.0 / (m0 * slope);
     d2 = -d1 * bend / (slope * slope);
     l->e0 = 1.0 - l->a1 - l->a2;
     l->q1 = d1 - l->a1 - 2.0 * l->a2 - 3.0 * l->e0;
     l->q2nd = 0.5 * (d2 - 2.0 * l->a2 - 6.0 * l->e0 - 6.0 * l->q1);
 
-    for (i = 0; i < 2; i++) {
-        double sine_defect, versine, sum, d = 1.0 - nodes[i], w1;
-
-        sine_cosine_defects_f64(nodes[i] * l->psi_l, &sine_defect, &versine);
-        sum = lune_area(l, nodes[i] * l->psi_l - sine_defect, versine);
-        w[i] = lune_variable(l, 1.0 - sum / total);
-        w1 = 1.0 - w[i];
-        fit[i] = (((d / w[i] - l->a1) / w[i] - l->a2) / w[i] - l->e0 +
-                  w1 * (l->q1 - w1 * l->q2nd)) / (w1 * w1 * w1);
-    }
-    l->f1 = (fit[1] - fit[0]) / (w[1] - w[0]);
-    l->f0 = fit[0] - l->f1 * w[0];
+    fit0 = lune_fit(l, 0.38, &w0);
+    fit1 = lune_fit(l, 0.73, &w1);
+    l->f1 = (fit1 - fit0) / (w1 - w0);
+    l->f0 = fit0 - l->f1 * w0;
 }
 
 #endif

@@ -17,13 +17,19 @@ size_t psc_sampler_align(void)
 
 void psc_clear(psc_sampler *sampler)
 {
-    const psc_allocator allocator = sampler->allocator;
+    static const struct psc_cap none = {0.0, 0.0, 0.0, 0.0, 0.0};
 
-    /* Lobes are left as they are: with no side, nobody reads them. */
-    memset(sampler, 0, offsetof(psc_sampler, side));
-    sampler->allocator = allocator;
-    sampler->f32 = psc_dispatch_f32(PSC_KERNEL_SPHERE);
-    sampler->f64 = psc_dispatch_f64(PSC_KERNEL_SPHERE);
+    /* With no side, the rest is never read. */
+    sampler->shape = NULL;
+    sampler->measure = 0;
+    sampler->map = 0;
+    sampler->visibility = PSC_CASE_EMPTY;
+    sampler->facing = PSC_FACING_NONE;
+    sampler->sides = 0;
+    sampler->inside = 0;
+    sampler->total = 0.0;
+    sampler->radius = 0.0;
+    sampler->cap = none;
 }
 
 psc_result psc_sampler_init(void *memory, size_t size, psc_sampler **out)
@@ -37,8 +43,9 @@ psc_result psc_sampler_init(void *memory, size_t size, psc_sampler **out)
         return PSC_ERROR_NULL_POINTER;
     if (size < sizeof(psc_sampler) || (uintptr_t)memory % _Alignof(psc_sampler) != 0)
         return PSC_ERROR_STORAGE;
-    memset(&sampler->allocator, 0, sizeof sampler->allocator);
-    psc_clear(sampler);
+    memset(sampler, 0, sizeof *sampler);
+    sampler->f32 = psc_dispatch()->f32;
+    sampler->f64 = psc_dispatch()->f64;
     *out = sampler;
     return PSC_SUCCESS;
 }
@@ -65,9 +72,10 @@ psc_result psc_sampler_create(const psc_allocator *allocator, psc_sampler **out)
         return PSC_ERROR_NULL_POINTER;
     *out = NULL;
     if (allocator) {
-        result = psc_read_allocator(allocator, &use);
+        result = psc_check_allocator(allocator);
         if (result != PSC_SUCCESS)
             return result;
+        use = *allocator;
     }
     memory = use.allocate(use.user, sizeof(psc_sampler), _Alignof(psc_sampler));
     if (!memory)
@@ -86,31 +94,22 @@ void psc_sampler_destroy(psc_sampler *sampler)
         sampler->allocator.release(sampler->allocator.user, sampler);
 }
 
-static int numbers_of(const struct psc_shape_row *shape)
-{
-    const char *part;
-    int n = 0;
-
-    for (part = shape->parts; *part; part++)
-        n += *part == 'v' ? 3 : 1;
-    return n;
-}
-
 psc_result psc_build_numbers(psc_sampler *sampler, const struct psc_shape_row *shape,
                              const struct psc_request *request, const double *geometry)
 {
+    const struct psc_variant *kernels = psc_dispatch();
     psc_result result;
     int i;
 
     psc_clear(sampler);
-    for (i = 0; i < numbers_of(shape); i++)
+    for (i = 0; i < shape->numbers; i++)
         if (!is_finite(geometry[i]))
             return PSC_ERROR_NOT_FINITE;
     if (request->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE &&
         request->facing == PSC_FACING_NONE)
         return PSC_ERROR_NEEDS_NORMAL;
-    sampler->f32 = psc_dispatch_f32(shape->kernel);
-    sampler->f64 = psc_dispatch_f64(shape->kernel);
+    sampler->f32 = kernels->f32 + shape->kernel;
+    sampler->f64 = kernels->f64 + shape->kernel;
     sampler->shape = shape;
     sampler->measure = request->measure;
     sampler->map = request->map;
@@ -140,21 +139,20 @@ psc_result psc_build(psc_sampler *sampler, const struct psc_shape_row *shape,
     double geometry[PSC_MAX_GEOMETRY];
     struct psc_request request;
     psc_result result;
-    int i, n = 0;
+    int i, k, n = 0;
 
     if (!sampler)
         return PSC_ERROR_NULL_POINTER;
-    result = psc_read_technique(technique, &request);
+    result = psc_check_technique(technique, &request);
     if (result == PSC_SUCCESS)
-        result = psc_read_receiver(receiver, &request);
+        result = psc_check_receiver(receiver, &request);
     for (i = 0; shape->parts[i] && result == PSC_SUCCESS; i++) {
         const int numbers = shape->parts[i] == 'v' ? 3 : 1;
 
         if (!parts[i])
             result = PSC_ERROR_NULL_POINTER;
-        else
-            memcpy(geometry + n, parts[i], (size_t)numbers * sizeof(double));
-        n += numbers;
+        for (k = 0; parts[i] && k < numbers; k++)
+            geometry[n++] = parts[i][k];
     }
     if (result == PSC_SUCCESS)
         return psc_build_numbers(sampler, shape, &request, geometry);

@@ -82,12 +82,11 @@ struct psc_request {
     const double *normal; /* finite and not zero, or NULL */
 };
 
-psc_result psc_read_allocator(const psc_allocator *from, psc_allocator *to);
-psc_result psc_read_technique(const psc_technique *technique, struct psc_request *request);
-psc_result psc_read_receiver(const psc_receiver *receiver, struct psc_request *request);
-psc_result psc_check_receiver(uint32_t flags, const double *position, const double *normal,
-                              struct psc_request *request);
-
+psc_result psc_check_allocator(const psc_allocator *allocator);
+psc_result psc_check_technique(const psc_technique *technique, struct psc_request *request);
+psc_result psc_check_receiver(const psc_receiver *receiver, struct psc_request *request);
+psc_result psc_check_point(uint32_t flags, const double *position, const double *normal,
+                           struct psc_request *request);
 /* For psc_samples_f32 and _f64: the size and the reserved field. */
 psc_result psc_check_samples(const void *samples, size_t size);
 
@@ -114,8 +113,8 @@ enum psc_kernel_index { PSC_KERNEL_SPHERE, PSC_KERNEL_CAP, PSC_KERNEL_COUNT };
 struct psc_shape_row {
     psc_shape shape;
     enum psc_kernel_index kernel;
-    const char *parts; /* of its geometry: v for a vector, s for a scalar; in all at most
-                          PSC_MAX_GEOMETRY numbers */
+    const char *parts; /* of its geometry: v for a vector, s for a scalar */
+    int numbers;       /* in all of them, at most PSC_MAX_GEOMETRY */
     psc_result (*solid_angle)(const psc_sampler *sampler, double *value);
     psc_result (*projected_solid_angle)(const psc_sampler *sampler, double *value);
     psc_result (*area)(const psc_sampler *sampler, double *value);
@@ -208,8 +207,20 @@ struct psc_kernel_f32 {
                  struct psc_results_f32 *results);
 };
 
-/* The kernels for this CPU. */
-const struct psc_kernel_f64 *psc_dispatch_f64(enum psc_kernel_index shape);
-const struct psc_kernel_f32 *psc_dispatch_f32(enum psc_kernel_index shape);
+/* The kernels of an instruction set, by psc_kernel_index. */
+struct psc_variant {
+    const char *name;
+    const struct psc_kernel_f32 *f32;
+    const struct psc_kernel_f64 *f64;
+};
+
+/* Every variant that was compiled, the base first. */
+extern const struct psc_variant psc_variants[];
+extern const unsigned psc_variant_count;
+/* Whether this CPU runs a variant. */
+int psc_variant_runs(unsigned variant);
+
+/* The best that this CPU runs. */
+const struct psc_variant *psc_dispatch(void);
 
 #endif

@@ -19,20 +19,30 @@
 
 #define PSC_KAPPA 0.41421356237309504880
 
-/* N at w_psi, and the divided difference (N(w_theta) - N(w_psi)) / (w_theta - w_psi). */
-PSC_LANE double segment(double w_psi, double w_theta, double *difference)
+/*
+ * N at a, and its divided difference (N(b) - N(a)) / (b - a) by Horner's rule for differences.
+ * Even and odd powers go separately, N(w) = E(w^2) + w O(w^2), which halves the chain of
+ * dependent operations:
+ *     N[a,b] = E[a^2,b^2] (a + b) + O(a^2) + b O[a^2,b^2].
+ */
+PSC_LANE double segment(double a, double b, double *difference)
 {
     static const double c[] = {1.0, PSC_SEGMENT_F64};
-    double n = c[16], d = 0.0;
+    const double a2 = a * a, b2 = b * b;
+    double even = c[16], odd = c[15], even_d = 0.0, odd_d = 0.0;
 
-#define STEP(j)             \
-    d = d * w_theta + n; \
-    n = n * w_psi + c[j];
-    STEP(15) STEP(14) STEP(13) STEP(12) STEP(11) STEP(10) STEP(9) STEP(8)
-    STEP(7) STEP(6) STEP(5) STEP(4) STEP(3) STEP(2) STEP(1) STEP(0)
+#define STEP(j)                      \
+    even_d = even_d * b2 + even;     \
+    even = even * a2 + c[j];
+    STEP(14) STEP(12) STEP(10) STEP(8) STEP(6) STEP(4) STEP(2) STEP(0)
 #undef STEP
-    *difference = d;
-    return n;
+#define STEP(j)                  \
+    odd_d = odd_d * b2 + odd;    \
+    odd = odd * a2 + c[j];
+    STEP(13) STEP(11) STEP(9) STEP(7) STEP(5) STEP(3) STEP(1)
+#undef STEP
+    *difference = even_d * (a + b) + (odd + b * odd_d);
+    return even + a * odd;
 }
 
 #endif

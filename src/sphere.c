@@ -10,7 +10,7 @@ static psc_result area(const psc_sampler *s, double *value)
 }
 
 const struct psc_shape_row psc_shape_sphere = {
-    PSC_SHAPE_SPHERE, PSC_KERNEL_SPHERE, "vs", psc_cap_whole_solid_angle,
+    PSC_SHAPE_SPHERE, PSC_KERNEL_SPHERE, "vs", 4, psc_cap_whole_solid_angle,
     psc_cap_projected_solid_angle, area, psc_cap_pdf, psc_cap_invert};
 
 psc_result psc_build_sphere(psc_sampler *sampler, const psc_technique *technique,
@@ -72,7 +72,7 @@ psc_result psc_sphere_form_factor(const psc_receiver *receiver, const double cen
 
     if (!form_factor || !center)
         return PSC_ERROR_NULL_POINTER;
-    result = psc_read_receiver(receiver, &request);
+    result = psc_check_receiver(receiver, &request);
     if (result != PSC_SUCCESS)
         return result;
     if (!request.normal)

@@ -39,7 +39,7 @@ static void FN(build_and_sample)(const struct psc_shape_row *shape, uint32_t fla
     request.map = wave->map;
     for (c = 0; c < PSC_MAX_GEOMETRY; c++)
         geometry[c] = wave->geometry[c][i];
-    r->status[i] = psc_check_receiver(
+    r->status[i] = psc_check_point(
         flags, position, wave->facing == PSC_FACING_NONE ? NULL : normal, &request);
     if (r->status[i] == PSC_SUCCESS)
         r->status[i] = psc_build_numbers(sampler, shape, &request, geometry);
@@ -58,7 +58,7 @@ static psc_result FN(check_wavefront)(const struct psc_shape_row *shape,
                                       const FN(psc_input) *uv, const FN(psc_samples) *out,
                                       struct psc_request *request)
 {
-    psc_result result = psc_read_technique(technique, request);
+    psc_result result = psc_check_technique(technique, request);
     int p, has_normal;
 
     if (result != PSC_SUCCESS)
@@ -91,7 +91,7 @@ psc_result FN(psc_wavefront)(const struct psc_shape_row *shape, const psc_techni
                              const FN(psc_input) *const parts[], const FN(psc_input) *uv,
                              const FN(psc_samples) *out)
 {
-    const struct FN(psc_kernel) *kernel = FN(psc_dispatch)(shape->kernel);
+    const struct FN(psc_kernel) *kernel = psc_dispatch()->KERNEL + shape->kernel;
     real u[PSC_BLOCK], v[PSC_BLOCK];
     struct FN(psc_results) results;
     struct psc_request request;
