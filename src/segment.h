@@ -23,7 +23,7 @@
  * N at a, and its divided difference (N(b) - N(a)) / (b - a) by Horner's rule for differences.
  * Even and odd powers go separately, N(w) = E(w^2) + w O(w^2), which halves the chain of
  * dependent operations:
- *     N[a,b] = E[a^2,b^2] (a + b) + O(a^2) + b O[a^2,b^2].
+ *     N[a,b] = (E[a^2,b^2] + b O[a^2,b^2]) (a + b) + O(a^2).
  */
 PSC_LANE double segment(double a, double b, double *difference)
 {
@@ -41,7 +41,7 @@ PSC_LANE double segment(double a, double b, double *difference)
     odd = odd * a2 + c[j];
     STEP(13) STEP(11) STEP(9) STEP(7) STEP(5) STEP(3) STEP(1)
 #undef STEP
-    *difference = even_d * (a + b) + (odd + b * odd_d);
+    *difference = (even_d + b * odd_d) * (a + b) + odd;
     return even + a * odd;
 }
 
