@@ -8,7 +8,7 @@
 #include "place.h"
 #include "worst.h"
 
-enum { CAPS = 1200, SAMPLES = 6 };
+enum { CAPS = 1000, SAMPLES = 6 };
 
 static const double cdf_bound[2] = {3e-7, 1e-14}, sphere_bound[2] = {5e-7, 1e-15};
 

@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Equal areas: the images of the cells of an N x N grid on the square have the same measure,
+ * one N^2-th of the total.
+ *
+ * The area of an image is the integral around its outline in a plane to which the measure is
+ * carried over exactly: the tangent plane of the receiver for projected solid angle (projection
+ * keeps cosine times solid angle), Lambert's azimuthal plane for solid angle, and the same for
+ * the normals of the sphere for its area.
+ */
+#include "lights.h"
+#include "worst.h"
+
+enum { LIGHTS = 25, N = 6, STEPS = 256 };
+
+struct plane {
+    const struct light *light;
+    const psc_sampler *sampler;
+    double center[3], x[3], y[3];
+};
+
+static void scale_to_unit(double v[3])
+{
+    double length = sqrt(dot(v, v));
+    int i;
+
+    for (i = 0; i < 3; i++)
+        v[i] /= length;
+}
+
+/* The direction that is looked at, or the normal of the sphere. */
+static void look(const struct plane *p, double u, double v, double w[3])
+{
+    psc_light_sample_f64 s;
+
+    psc_sample_f64(p->sampler, u, v, &s);
+    memcpy(w, p->light->what->measure >= PSC_MEASURE_AREA ? s.normal : s.direction,
+           sizeof s.direction);
+}
+
+/* The plane touches the sphere of directions at the receiver's normal, or in the cell itself. */
+static void make_plane(uint64_t *state, double u, double v, struct plane *p)
+{
+    if (p->light->what->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE)
+        memcpy(p->center, p->light->scene.normal, sizeof p->center);
+    else
+        look(p, u, v, p->center);
+    scale_to_unit(p->center);
+    random_across(state, p->center, p->x);
+    cross(p->center, p->x, p->y);
+    scale_to_unit(p->y);
+}
+
+static void to_plane(const struct plane *p, double u, double v, double xy[2])
+{
+    double scale = 1.0, w[3], sum[3];
+    int i;
+
+    look(p, u, v, w);
+    if (p->light->what->measure != PSC_MEASURE_PROJECTED_SOLID_ANGLE) {
+        for (i = 0; i < 3; i++)
+            sum[i] = w[i] + p->center[i];
+        scale = 2.0 / sqrt(dot(sum, sum)); /* sqrt(2 / (1 + cosine)) */
+    }
+    if (p->light->what->measure >= PSC_MEASURE_AREA)
+        scale *= p->light->scene.radius;
+    xy[0] = scale * dot(w, p->x);
+    xy[1] = scale * dot(w, p->y);
+}
+
+/* Runs from 0 to 1 and lingers at both, where the maps have roots. */
+static double graded(double t)
+{
+    double a = pow(t, 6.0), b = pow(1.0 - t, 6.0);
+    return a / (a + b);
+}
+
+/* The polygon of the outline of a cell: area with a number of steps along each side. */
+static double polygon(const struct plane *p, int column, int row, int steps)
+{
+    double first[2], before[2], here[2], sum = 0.0;
+    int side, i;
+
+    to_plane(p, (double)column / N, (double)row / N, first);
+    memcpy(before, first, sizeof before);
+    for (side = 0; side < 4; side++)
+        for (i = 1; i <= steps; i++) {
+            double t = graded((double)i / steps);
+            double u = side == 0 ? t : side == 1 ? 1.0 : side == 2 ? 1.0 - t : 0.0;
+            double v = side == 0 ? 0.0 : side == 1 ? t : side == 2 ? 1.0 : 1.0 - t;
+
+            to_plane(p, (column + u) / N, (row + v) / N, here);
+            sum += (before[0] - first[0]) * (here[1] - first[1]) -
+                   (before[1] - first[1]) * (here[0] - first[0]);
+            memcpy(before, here, sizeof before);
+        }
+    return sum / 2.0;
+}
+
+/* Twice the steps leave a quarter of the error. */
+static double cell_area(const struct plane *p, int column, int row)
+{
+    double coarse = polygon(p, column, row, STEPS), fine = polygon(p, column, row, 2 * STEPS);
+    return fabs(fine + (fine - coarse) / 3.0);
+}
+
+static void cells(const struct test_technique *what)
+{
+    struct worst worst = {0};
+    uint64_t seed = 70;
+    int i, column, row;
+
+    for (i = 0; i < LIGHTS; i++) {
+        struct test_sampler s;
+        struct light light;
+        struct plane plane;
+        double total;
+
+        random_light(&seed, what, &light);
+        light.flags = 0; /* two-sided lights are two such pictures, with a cell across the seam */
+        if (build_light(make_sampler(&s), &light) != PSC_SUCCESS)
+            continue;
+        plane.light = &light;
+        plane.sampler = s.sampler;
+        psc_sampler_total(s.sampler, &total);
+        for (column = 0; column < N; column++)
+            for (row = 0; row < N; row++) {
+                make_plane(&seed, (column + 0.5) / N, (row + 0.5) / N, &plane);
+                worst_add(&worst, fabs(cell_area(&plane, column, row) * N * N / total - 1.0),
+                          "light %d cell %d, %d: %s", i, column, row, describe_light(&light));
+            }
+    }
+    worst_report(&worst, 1e-6, "%s: area of a cell, relative", what->name);
+}
+
+int main(void)
+{
+    int i;
+
+    for (i = 0; i < TEST_TECHNIQUES; i++)
+        cells(&test_techniques[i]);
+    return tap_done();
+}

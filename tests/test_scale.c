@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Scaling every length by a power of two, up to 1e30 and down to 1e-30, changes nothing but the
+ * lengths that are returned, and these exactly; the length of the normal never matters.
+ */
+#include "lights.h"
+#include "tap.h"
+
+enum { LIGHTS = 60, SAMPLES = 8 };
+
+static void scale_scene(const struct light *light, double lengths, double normal,
+                        struct light *scaled)
+{
+    int i;
+
+    *scaled = *light;
+    for (i = 0; i < 3; i++) {
+        scaled->scene.position[i] *= lengths;
+        scaled->scene.normal[i] *= normal;
+        scaled->scene.center[i] *= lengths;
+    }
+    if (!light->distant)
+        scaled->scene.radius *= lengths;
+}
+
+/* The sample with lengths divided again; points of distant lights are directions. */
+static void unscale(const struct light *light, double lengths, psc_light_sample_f64 *sample)
+{
+    int i;
+
+    if (light->distant)
+        return;
+    for (i = 0; i < 3; i++)
+        sample->point[i] /= lengths;
+    sample->distance /= lengths;
+}
+
+/* A float holds what it holds: the point relative to the sphere's size is all the same. */
+static int same_samples(int bits, const psc_sampler *a, const psc_sampler *b,
+                        const struct light *light, double lengths, uint64_t *seed)
+{
+    int i, same = 1;
+
+    for (i = 0; i < SAMPLES; i++) {
+        double u = random_coordinate(seed), v = random_coordinate(seed), uv_a[2], uv_b[2], p, q;
+        psc_light_sample_f64 x, y;
+
+        memset(&x, 0, sizeof x);
+        memset(&y, 0, sizeof y);
+        same &= sample_any(bits, a, u, v, &x) == sample_any(bits, b, u, v, &y);
+        unscale(light, lengths, &y);
+        same &= memcmp(&x, &y, sizeof x) == 0;
+        uv_a[0] = uv_a[1] = uv_b[0] = uv_b[1] = p = q = 0.0;
+        same &= pdf_any(bits, a, x.direction, &p) == pdf_any(bits, b, x.direction, &q);
+        same &= invert_any(bits, a, x.direction, uv_a) == invert_any(bits, b, x.direction, uv_b);
+        same &= p == q && uv_a[0] == uv_b[0] && uv_a[1] == uv_b[1];
+    }
+    return same;
+}
+
+static void scales(const struct test_technique *what, double lengths, double normal)
+{
+    uint64_t seed = 110;
+    int i, bits, failed = -1, built = 0;
+    struct light light, scaled;
+
+    for (i = 0; i < LIGHTS && failed < 0; i++) {
+        struct test_sampler a, b;
+        double total[2] = {0.0, 0.0};
+        int area = what->measure >= PSC_MEASURE_AREA;
+
+        random_light(&seed, what, &light);
+        scale_scene(&light, lengths, normal, &scaled);
+        if (build_light(make_sampler(&a), &light) != build_light(make_sampler(&b), &scaled))
+            failed = i;
+        psc_sampler_total(a.sampler, &total[0]);
+        built += psc_sampler_total(b.sampler, &total[1]) == PSC_SUCCESS;
+        if (total[0] != total[1] / (area ? lengths * lengths : 1.0))
+            failed = i;
+        for (bits = 32; bits <= 64; bits += 32)
+            if (!same_samples(bits, a.sampler, b.sampler, &light, lengths, &seed))
+                failed = i;
+    }
+    if (!tap_ok(failed < 0 && built > 0, "%s: lengths by %a, normal by %a", what->name, lengths,
+                normal))
+        tap_note("    light %d: %s", failed, describe_light(&light));
+}
+
+int main(void)
+{
+    static const double factors[] = {0x1p-100, 0x1p-52, 0x1p-1, 0x1p+1, 0x1p+60, 0x1p+100};
+    size_t j;
+    int i;
+
+    for (i = 0; i < TEST_TECHNIQUES; i++)
+        for (j = 0; j < sizeof factors / sizeof factors[0]; j++) {
+            scales(&test_techniques[i], factors[j], 1.0);
+            scales(&test_techniques[i], 1.0, factors[j]);
+            scales(&test_techniques[i], factors[j], 1.0 / factors[j]);
+        }
+    return tap_done();
+}
