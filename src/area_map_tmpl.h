@@ -9,12 +9,14 @@
  * Template: see precision.h.
  */
 
-/* A point of the surface: p->power is w; pdf and its inverse (0 on the far side and at the
-   limb, where pdf is infinite). */
-PSC_LANE void FN(area_point)(const struct FN(psc_lobe) *l, real w, real facing, real cosine,
+/* A point of the surface, margin = 1 - w / width: p->power is w; pdf and its inverse (0 on the
+   far side and at the limb, where pdf is infinite). facing, gap - delta w, is positive on the
+   side that a receiver outside sees. */
+PSC_LANE void FN(area_point)(const struct FN(psc_lobe) *l, real w, real margin, real cosine,
                              real sine, struct FN(psc_point) *p, real *pdf, real *inverse)
 {
-    const real side = SQRT(w * (K(2.0) - w));
+    const real facing = l->visible > K(0.0) ? l->gap * margin : l->gap - l->delta * w;
+    const real side = SQRT(w * ((K(2.0) - l->width) + l->width * margin));
     const real t2 = l->gap * l->gap + K(2.0) * l->delta * w;
     const real t = SQRT(t2), it = K(1.0) / t;
     const real r = side * it, along = (l->gap + w) * it;
@@ -26,14 +28,9 @@ PSC_LANE void FN(area_point)(const struct FN(psc_lobe) *l, real w, real facing, 
     p->z = -h;
     p->height = l->sin_b * (K(1.0) - h) - l->cos_b * p->x;
     p->power = w;
+    p->across = K(0.0);
     *pdf = t2 * t / area;
     *inverse = (facing > K(0.0)) == (l->gap > K(0.0)) ? area / (t2 * t) : K(0.0);
-}
-
-/* gap - delta w: positive on the side that faces a receiver outside. */
-PSC_LANE real FN(area_facing)(const struct FN(psc_lobe) *l, real w, real margin)
-{
-    return l->visible > K(0.0) ? l->gap * margin : l->gap - l->delta * w;
 }
 
 PSC_LANE void FN(radial_area)(const struct FN(psc_lobe) *l, real u, real v,
@@ -43,7 +40,7 @@ PSC_LANE void FN(radial_area)(const struct FN(psc_lobe) *l, real u, real v,
     real sine, cosine, versine;
 
     FN(turn)(v, &sine, &cosine, &versine);
-    FN(area_point)(l, w, FN(area_facing)(l, w, K(1.0) - u), cosine, sine, p, pdf, inverse);
+    FN(area_point)(l, w, K(1.0) - u, cosine, sine, p, pdf, inverse);
 }
 
 PSC_LANE void FN(concentric_area)(const struct FN(psc_lobe) *l, real u, real v,
@@ -53,6 +50,5 @@ PSC_LANE void FN(concentric_area)(const struct FN(psc_lobe) *l, real u, real v,
 
     FN(square_to_disk)(u, v, &cosine, &sine, &versine, &radius, &margin);
     w = radius * radius * l->width;
-    FN(area_point)(l, w, FN(area_facing)(l, w, margin * (K(1.0) + radius)), cosine, sine, p, pdf,
-                   inverse);
+    FN(area_point)(l, w, margin * (K(1.0) + radius), cosine, sine, p, pdf, inverse);
 }

@@ -8,12 +8,19 @@
 struct FN(psc_cap_world) {
     real x[3], y[3], z[3], axis[3];
     real center[3], offset[3];
-    real sin_a, cos_a, h0, sin_b, cos_b, axial; /* axial = cos alpha sin^2 beta */
+    real sin_a, cos_a, h0, sin_b;
     real radius, distance, slack;        /* slack = (radius - distance)(radius + distance) */
-    real total, inverse_total;
+    real total;
+    real rise, inverse_total; /* pdf = (height rise) inverse_total: a power of two near 1 / sin
+                                 alpha, so that float holds tiny lights */
     enum psc_facing facing;
     int projected, inside, distant;
 };
+
+PSC_LANE double FN(cap_rise)(int projected, double sin_a)
+{
+    return projected ? unit_scale(sin_a) : 1.0;
+}
 
 PSC_LANE void FN(cap_world)(const psc_sampler *s, const struct psc_side *side,
                             struct FN(psc_cap_world) *w)
@@ -32,13 +39,12 @@ PSC_LANE void FN(cap_world)(const psc_sampler *s, const struct psc_side *side,
     w->cos_a = (real)side->lobe.cos_a;
     w->h0 = (real)side->lobe.h0;
     w->sin_b = (real)side->lobe.sin_b;
-    w->cos_b = (real)side->lobe.cos_b;
-    w->axial = (real)(side->lobe.cos_a * side->lobe.sin_b * side->lobe.sin_b);
     w->radius = (real)s->radius;
     w->distance = (real)s->distance;
     w->slack = (real)((s->radius - s->distance) * (s->radius + s->distance));
     w->total = (real)s->total;
-    w->inverse_total = (real)s->inverse_total;
+    w->rise = (real)FN(cap_rise)(s->projected, side->lobe.sin_a);
+    w->inverse_total = (real)(s->inverse_total / FN(cap_rise)(s->projected, side->lobe.sin_a));
     w->facing = s->facing;
     w->projected = s->projected;
     w->inside = s->inside;
@@ -56,7 +62,7 @@ PSC_LANE real FN(cap_cosine)(const struct FN(psc_cap_world) *w, real height)
 PSC_LANE void FN(cap_density)(const struct FN(psc_cap_world) *w, real height, real *pdf,
                               real *weight, psc_result *status)
 {
-    *pdf = w->projected ? height * w->inverse_total : w->inverse_total;
+    *pdf = w->projected ? height * w->rise * w->inverse_total : w->inverse_total;
     *weight = w->projected ? w->total : w->total * FN(cap_cosine)(w, height);
     *status = !w->projected && w->facing == PSC_FACING_ONE && !(height > K(0.0)) ? PSC_CULLED
                                                                                 : PSC_SUCCESS;
@@ -71,13 +77,12 @@ PSC_LANE void FN(cap_direction)(const struct FN(psc_cap_world) *w, real x, real 
     *dz = w->axis[2] + ((x * w->x[2] + y * w->y[2]) + z * w->z[2]);
 }
 
-/* The depth inside the cap, h0 - (1 - cos) of the angle to the axis: across + up, or, where the
-   two have opposite signs, by the power of the point, (up - across) (up + across). */
-PSC_LANE real FN(cap_depth)(const struct FN(psc_cap_world) *w, real x, real height, real power)
+/* The depth inside the cap, see lobe.h. */
+PSC_LANE real FN(cap_depth)(const struct FN(psc_cap_world) *w, real height, real power,
+                            real across)
 {
-    const real across = w->cos_b * (x + w->cos_b * w->h0) - w->axial;
     const real up = w->sin_b * height;
-    const real quotient = power / (up - across);
+    const real quotient = w->sin_a * power * (w->sin_a / (up - across));
 
     if (!w->projected)
         return power;
@@ -86,15 +91,14 @@ PSC_LANE real FN(cap_depth)(const struct FN(psc_cap_world) *w, real x, real heig
 
 /* Distance in units of that of the centre, and the normal in the side's frame (axial: along the
    axis), of the near intersection with the sphere. No ray is intersected: all terms of
-     distance = cos^2 alpha / (1 - h + g),  g^2 = depth (2 - h0 - h)
+     distance = cos^2 alpha / (cos alpha + depth + g),  g^2 = depth (2 cos alpha + depth)
    are positive. */
 PSC_LANE void FN(cap_hit)(const struct FN(psc_cap_world) *w, real depth, real *ratio,
                           real *scale, real *axial)
 {
-    const real h = w->h0 - depth;
     const real d = MAX(depth, K(0.0));
-    const real g = SQRT(d * (K(2.0) - w->h0 - h));
-    const real inverse = K(1.0) / (K(1.0) - h + g);
+    const real g = SQRT(d * (K(2.0) * w->cos_a + d));
+    const real inverse = K(1.0) / (w->cos_a + d + g);
 
     *ratio = w->cos_a * w->cos_a * inverse;
     *scale = *ratio / w->sin_a;
@@ -177,6 +181,7 @@ PSC_LANE int FN(cap_pick_side)(const psc_sampler *s, real u, real *within)
         (p)->z = (float)wide_point.z;                           \
         (p)->height = (float)wide_point.height;                 \
         (p)->power = (float)wide_point.power;                   \
+        (p)->across = (float)wide_point.across;                 \
     } while (0)
 #endif
 
@@ -255,7 +260,7 @@ static psc_result FN(cap_sample)(const psc_sampler *s, real u, real v,
     FN(cap_density)(&w, p.height, &out->pdf, &out->weight, &status);
     FN(cap_direction)(&w, p.x, p.y, p.z, out->direction, out->direction + 1, out->direction + 2);
     FN(cap_surface)(&w, out->direction, p.x, p.y, p.z,
-                    FN(cap_depth)(&w, p.x, p.height, p.power), out->point, out->normal,
+                    FN(cap_depth)(&w, p.height, p.power, p.across), out->point, out->normal,
                     &out->distance);
     return status;
 }
@@ -264,6 +269,7 @@ static psc_result FN(cap_sample)(const psc_sampler *s, real u, real v,
 
 struct FN(psc_cap_points) {
     real x[PSC_BLOCK], y[PSC_BLOCK], z[PSC_BLOCK], height[PSC_BLOCK], power[PSC_BLOCK];
+    real across[PSC_BLOCK];
     real pdf[PSC_BLOCK], inverse[PSC_BLOCK];
 };
 
@@ -274,6 +280,7 @@ struct FN(psc_cap_points) {
         (to)->z[i] = (p).z;         \
         (to)->height[i] = (p).height; \
         (to)->power[i] = (p).power; \
+        (to)->across[i] = (p).across; \
     } while (0)
 
 #define CAP_BLOCK(name, lane, native)                                                          \
@@ -341,10 +348,10 @@ static void FN(cap_densities)(const struct FN(psc_cap_world) *w, size_t n,
             status[i] = FN(area_density)(w, p->height[i], p->inverse[i], &weight[i]);
         }
     } else if (w->projected) {
-        const real total = w->total, inverse = w->inverse_total;
+        const real total = w->total, rise = w->rise, inverse = w->inverse_total;
 
         for (i = 0; i < n; i++)
-            pdf[i] = p->height[i] * inverse;
+            pdf[i] = p->height[i] * rise * inverse;
         for (i = 0; i < n; i++)
             weight[i] = total;
         for (i = 0; i < n; i++)
@@ -397,7 +404,7 @@ static void FN(cap_surfaces)(const struct FN(psc_cap_world) *w, const struct FN(
             FN(area_surface)(w, l, p->x[i], p->y[i], p->power[i], point, normal, &distance);
         else
             FN(cap_surface)(w, direction, p->x[i], p->y[i], p->z[i],
-                            FN(cap_depth)(w, p->x[i], p->height[i], p->power[i]), point, normal,
+                            FN(cap_depth)(w, p->height[i], p->power[i], p->across[i]), point, normal,
                             &distance);
         for (c = 0; c < 3; c++) {
             to[PSC_POINT + c][i] = point[c];

@@ -83,8 +83,8 @@ static double seen_w(const psc_sampler *s, const double direction[3], const stru
         sine2 = t * t * (d->x * d->x + d->y * d->y);
     } else {
         const double sa = s->cap.sin_a, ca = s->cap.cos_a, h0 = sa * sa / (1.0 + ca);
-        const double g = SQRT(d->depth * (2.0 - h0 - d->h));
-        const double inverse = 1.0 / ((1.0 - d->h + g) * sa);
+        const double g = SQRT(d->depth * (2.0 * ca + d->depth));
+        const double inverse = 1.0 / ((ca + d->depth + g) * sa);
 
         cosine = (ca * ca * d->h + (d->depth + h0 * ca + g)) * inverse;
         sine2 = ca * ca * inverse * (ca * ca * inverse) * (d->x * d->x + d->y * d->y);
@@ -136,8 +136,7 @@ double psc_cap_pdf(const psc_sampler *s, const double direction[3], double epsil
         struct psc_point_f64 p;
         double pdf, inverse;
 
-        area_point_f64(l, w, area_facing_f64(l, w, 1.0 - w / l->width), 1.0, 0.0, &p, &pdf,
-                       &inverse);
+        area_point_f64(l, w, 1.0 - w / l->width, 1.0, 0.0, &p, &pdf, &inverse);
         return pdf;
     }
     return s->projected ? d.height * s->inverse_total : s->inverse_total;

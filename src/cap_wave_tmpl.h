@@ -87,6 +87,7 @@ static void FN(wave_kind)(const struct views *o, const real *u, const real *v,
         to->z[i] = k.points.z[j];
         to->height[i] = k.points.height[j];
         to->power[i] = k.points.power[j];
+        to->across[i] = k.points.across[j];
         total[i] = k.total[j];
     }
 }
@@ -149,7 +150,10 @@ static void FN(wave_densities)(const struct psc_wave *restrict wave, const struc
     w.projected = projected;
     if (projected) {
         for (i = 0; i < n; i++) {
-            r->value[PSC_PDF][i] = p->height[i] * (real)(1.0 / total[i]);
+            const double rise = FN(cap_rise)(1, o->sin_a[i]);
+
+            r->value[PSC_PDF][i] =
+                p->height[i] * (real)rise * (real)(1.0 / total[i] / rise);
             r->value[PSC_WEIGHT][i] = (real)total[i];
         }
         for (i = 0; i < n; i++)
@@ -193,8 +197,6 @@ static void FN(wave_surfaces)(const struct psc_wave *wave, const struct views *o
         w.cos_a = (real)cap.cos_a;
         w.h0 = (real)o->h0[i];
         w.sin_b = (real)sin_b;
-        w.cos_b = (real)cap.cos_b;
-        w.axial = (real)(cap.cos_a * sin_b * sin_b);
         w.radius = (real)wave->geometry[3][i];
         w.distance = (real)o->distance[i];
         w.projected = !cone;
@@ -205,7 +207,7 @@ static void FN(wave_surfaces)(const struct psc_wave *wave, const struct views *o
         for (c = 0; c < 3; c++)
             w.center[c] = (real)wave->geometry[c][i];
         FN(cap_surface)(&w, direction, p->x[i], p->y[i], p->z[i],
-                        FN(cap_depth)(&w, p->x[i], p->height[i], p->power[i]), point, normal,
+                        FN(cap_depth)(&w, p->height[i], p->power[i], p->across[i]), point, normal,
                         &distance);
         for (c = 0; c < 3; c++) {
             to[PSC_POINT + c][i] = point[c];
@@ -243,6 +245,7 @@ static void FN(wave_views)(const struct psc_wave *wave, const struct views *o, c
             const uint32_t j = index[kind][i];
 
             points.x[j] = points.y[j] = points.z[j] = points.height[j] = points.power[j] = K(0.0);
+            points.across[j] = K(0.0);
             total[j] = 1.0;
         }
     for (kind = KIND_CONE; kind < KIND_COUNT; kind++)

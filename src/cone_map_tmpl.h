@@ -12,13 +12,14 @@ PSC_LANE void FN(cone_point)(const struct FN(psc_lobe) *l, real h, real x, real 
     p->z = -h;
     p->height = l->sin_b * (K(1.0) - h) - l->cos_b * x;
     p->power = depth;
+    p->across = K(0.0);
 }
 
 PSC_LANE void FN(radial_cone)(const struct FN(psc_lobe) *l, real u, real v,
                               struct FN(psc_point) *p)
 {
     const real h = u * l->h0;
-    const real r = SQRT(h * (K(2.0) - h));
+    const real r = SQRT(h * ((K(2.0) - l->h0) + l->h0 * (K(1.0) - u)));
     real sine, cosine, versine;
 
     FN(turn)(v, &sine, &cosine, &versine);
@@ -28,11 +29,10 @@ PSC_LANE void FN(radial_cone)(const struct FN(psc_lobe) *l, real u, real v,
 PSC_LANE void FN(concentric_cone)(const struct FN(psc_lobe) *l, real u, real v,
                                   struct FN(psc_point) *p)
 {
-    real cosine, sine, versine, radius, margin, h, r;
+    real cosine, sine, versine, radius, margin, depth, r;
 
     FN(square_to_disk)(u, v, &cosine, &sine, &versine, &radius, &margin);
-    h = radius * radius * l->h0;
-    r = radius * SQRT(l->h0 * (K(2.0) - h));
-    FN(cone_point)(l, h, r * cosine, r * sine,
-                   margin * (K(1.0) + radius) * l->h0, p);
+    depth = margin * (K(1.0) + radius) * l->h0;
+    r = radius * SQRT(l->h0 * ((K(2.0) - l->h0) + depth));
+    FN(cone_point)(l, radius * radius * l->h0, r * cosine, r * sine, depth, p);
 }

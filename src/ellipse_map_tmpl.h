@@ -19,7 +19,8 @@ PSC_LANE void FN(ellipse_point)(const struct FN(psc_lobe) *l, real cosine, real 
 
     FN(lift)(l, 1, rho * (a_x * cosine), rho * (l->sin_a * sine),
              below * below + l->sin_a * l->sin_a * rest, p);
-    p->power = a_x * a_x * rest;
+    p->power = l->sin_b * l->sin_b * rest;
+    p->across = -l->sin_b * below;
 }
 
 /* Listing 1 of [UG18] for a fully visible cap: u is the squared radius, v the angle. */

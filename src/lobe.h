@@ -47,11 +47,16 @@ PSC_LANE struct psc_lobe_f32 psc_lobe_round(const struct psc_lobe_f64 *lobe)
 }
 
 /*
- * A sampled direction in the lobe's frame. The offset is direction - axis, accurate relative to
- * sin alpha. power is the power of the projected point with respect to the outline of the cap
- * (of the cone maps: the depth itself), from which the hit point follows without cancellation.
+ * A sampled direction in the lobe's frame. The offset (x, y, z) is direction - axis, accurate
+ * relative to sin alpha; height is its cosine to the normal.
+ *
+ * How deep it is inside the cap, up + across with up = sin beta height and across = cos beta x -
+ * cos alpha (x from the receiver's axis), decides where it hits a sphere. Where the two have
+ * opposite signs their sum cancels; then power = (up^2 - across^2) / sin^2 alpha helps, a
+ * quadratic form that is 0 on the outline of the cap. The cone maps have the depth itself in
+ * power, the area maps w.
  */
-struct psc_point_f64 { double x, y, z, height, power; };
-struct psc_point_f32 { float x, y, z, height, power; };
+struct psc_point_f64 { double x, y, z, height, power, across; };
+struct psc_point_f32 { float x, y, z, height, power, across; };
 
 #endif

@@ -145,14 +145,18 @@ PSC_LANE struct chord chord_solve(const struct psc_lobe_f64 *l, int lune, double
 }
 
 /* The point at the share u of a chord that ends on the horizon. */
-PSC_LANE void clipped_chord_point(const struct psc_lobe_f64 *l, const struct chord *c, double u,
-                                  double side, struct psc_point_f64 *p)
+PSC_LANE void clipped_chord_point(const struct psc_lobe_f64 *l, int lune, const struct chord *c,
+                                  double u, double side, struct psc_point_f64 *p)
 {
-    const double half = l->sin_a * l->sin_b * c->cosine;
+    const double half = l->sin_a * l->sin_b * c->cosine, step = u * c->length;
+    const double zl = l->cos_a * l->sin_b + l->zc * c->cosine;
+    const double power = step * (2.0 * half - step);
+    double up;
 
-    chord_point_f64(l, 0, -half, side * c->y, c->length,
-                    l->cos_a * l->sin_b + l->zc * c->cosine, 0.0, u, p);
-    p->power = u * c->length * (2.0 * half - u * c->length);
+    chord_point_f64(l, 0, -half, side * c->y, c->length, MAX(zl, 0.0), 0.0, u, p);
+    up = l->sin_b * p->height;
+    p->power = power / (l->sin_a * l->sin_a);
+    p->across = lune ? SQRT(up * up - power) : l->cos_b * step - l->sin_b * zl;
 }
 
 /* The point at the share u of the chord with the share r of the area beyond it. */
@@ -161,7 +165,7 @@ PSC_LANE void lune_chord_point(const struct psc_lobe_f64 *l, double u, double r,
 {
     const struct chord c = chord_solve(l, 1, 1.0 - r, r);
 
-    clipped_chord_point(l, &c, u, side, p);
+    clipped_chord_point(l, 1, &c, u, side, p);
 }
 
 PSC_LANE void both_chord_point(const struct psc_lobe_f64 *l, double u, double r, double side,
@@ -171,19 +175,21 @@ PSC_LANE void both_chord_point(const struct psc_lobe_f64 *l, double u, double r,
     const int is_whole = r < l->whole;
     const double scaled = r * l->whole_scale;
     struct psc_point_f64 whole;
-    double sine, cosine, half;
+    double sine, cosine, half, zl, zr;
 
-    clipped_chord_point(l, &c, u, side, p);
+    clipped_chord_point(l, 0, &c, u, side, p);
     solve_chord_f64(MIN(scaled, 1.0), &sine, &cosine);
     half = l->sin_a * l->sin_b * sine;
-    chord_point_f64(l, 0, -half, side * l->sin_a * cosine, 2.0 * half,
-                    l->cos_a * l->sin_b + l->zc * sine, l->cos_a * l->sin_b - l->zc * sine, u,
-                    &whole);
+    zl = l->cos_a * l->sin_b + l->zc * sine;
+    zr = l->cos_a * l->sin_b - l->zc * sine;
+    chord_point_f64(l, 0, -half, side * l->sin_a * cosine, 2.0 * half, zl, zr, u, &whole);
+    whole_chord_power_f64(l, u, sine, zl, zr, &whole);
     p->x = is_whole ? whole.x : p->x;
     p->y = is_whole ? whole.y : p->y;
     p->z = is_whole ? whole.z : p->z;
     p->height = is_whole ? whole.height : p->height;
-    p->power = is_whole ? 4.0 * u * (1.0 - u) * (half * half) : p->power;
+    p->power = is_whole ? whole.power : p->power;
+    p->across = is_whole ? whole.across : p->across;
 }
 
 PSC_LANE void parallel_lune_f64(const struct psc_lobe_f64 *l, double u, double v,

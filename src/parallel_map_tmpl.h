@@ -49,17 +49,27 @@ PSC_LANE void FN(solve_chord)(real r, real *sine, real *cosine)
     *sine = s * (K(1.0) - K(0.5) * h * h) + (K(1.0) - versine) * (h - h * h * h * K(0.166666666666666667));
 }
 
+/* power and across of a point on a chord between two points of the outline. */
+PSC_LANE void FN(whole_chord_power)(const struct FN(psc_lobe) *l, real u, real sine, real zl,
+                                    real zr, struct FN(psc_point) *p)
+{
+    const real half = l->sin_b * sine;
+
+    p->power = K(4.0) * u * (K(1.0) - u) * (half * half);
+    p->across = -l->sin_b * ((K(1.0) - u) * zl + u * zr);
+}
+
 /* The parallel map of a cap wholly above the horizon. */
 PSC_LANE void FN(parallel_ellipse)(const struct FN(psc_lobe) *l, real u, real v,
                                    struct FN(psc_point) *p)
 {
     const real r = K(2.0) * MIN(v, K(1.0) - v), side = COPYSIGN(K(1.0), v - K(0.5));
-    real sine, cosine, half;
+    real sine, cosine, half, zl, zr;
 
     FN(solve_chord)(r, &sine, &cosine);
     half = l->sin_a * l->sin_b * sine;
-    FN(chord_point)(l, 1, -half, side * l->sin_a * cosine, K(2.0) * half,
-                    l->cos_a * l->sin_b + l->zc * sine,
-                    l->low + l->zc * (cosine * cosine / (K(1.0) + sine)), u, p);
-    p->power = K(4.0) * u * (K(1.0) - u) * (half * half);
+    zl = l->cos_a * l->sin_b + l->zc * sine;
+    zr = l->low + l->zc * (cosine * cosine / (K(1.0) + sine));
+    FN(chord_point)(l, 1, -half, side * l->sin_a * cosine, K(2.0) * half, zl, zr, u, p);
+    FN(whole_chord_power)(l, u, sine, zl, zr, p);
 }

@@ -64,8 +64,9 @@ PSC_LANE void FN(radial_both)(const struct FN(psc_lobe) *l, real s, real t,
     bz = circle ? K(0.0) : bz;
 
     FN(radial_point)(l, 0, bx, side * by, bz, rho, margin, p);
-    /* Power of the boundary point: 0 on the ellipse, -v^2 on the circle. */
-    d = l->v0 - l->cos_b * versine;
-    p->power = (K(1.0) - s) * (l->sin_a * l->sin_b * (l->sin_a * l->sin_b)) -
-               (circle ? s * (d * d) : K(0.0));
+    /* On the outline, across is -sin beta times the height; on the circle, v. */
+    d = circle ? l->v0 - l->cos_b * versine : -l->sin_b * bz;
+    p->across = rho * d - margin * (l->cos_a * l->sin_b * l->sin_b);
+    d = d / l->sin_a;
+    p->power = (K(1.0) - s) * (l->sin_b * l->sin_b) - (circle ? s * (d * d) : K(0.0));
 }
