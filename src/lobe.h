@@ -14,6 +14,7 @@
 
 #define PSC_LOBE_FIELDS(X)                                                                  \
     X(sin_a) X(cos_a) X(sin_b) X(cos_b)                                                     \
+    X(per_a) /* 1 / sin alpha */                                                            \
     X(h0)    /* 1 - cos alpha */                                                            \
     X(x_e)                                                                                  \
     X(del)   /* 1 - x_e */                                                                  \

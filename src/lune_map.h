@@ -139,7 +139,7 @@ PSC_LANE void radial_lune_f64(const struct psc_lobe_f64 *l, double s, double t,
     lam = SQRT((k2 + s * v2) * inverse);
     margin = (1.0 - s) * v2 * inverse / (1.0 + lam);
     radial_point_f64(l, 0, l->del - versine, side * sine, 0.0, lam, margin, p);
-    p->power = -s * v2 / (l->sin_a * l->sin_a);
+    p->power = -s * v2 * (l->per_a * l->per_a);
     p->across = SQRT(l->sin_b * p->height * (l->sin_b * p->height) + s * v2);
 }
 

@@ -52,7 +52,7 @@ PSC_LANE struct chord chord_at(const struct psc_lobe_f64 *l, int lune, double si
 /* F(theta). */
 PSC_LANE double chord_area(const struct psc_lobe_f64 *l, const struct chord *c)
 {
-    const double b = l->sin_b / l->sin_a, s2 = c->sine * c->sine;
+    const double b = l->sin_b * l->per_a, s2 = c->sine * c->sine;
     const double s1 = c->y * c->y / (1.0 + c->cos_psi), vt = s2 / (1.0 + c->cosine);
     const double d_psi = (1.0 + c->cos_psi) + PSC_KAPPA * s1;
     const double d_theta = (1.0 + c->cosine) + PSC_KAPPA * vt;
@@ -155,7 +155,7 @@ PSC_LANE void clipped_chord_point(const struct psc_lobe_f64 *l, int lune, const 
 
     chord_point_f64(l, 0, -half, side * c->y, c->length, MAX(zl, 0.0), 0.0, u, p);
     up = l->sin_b * p->height;
-    p->power = power / (l->sin_a * l->sin_a);
+    p->power = power * (l->per_a * l->per_a);
     p->across = lune ? SQRT(up * up - power) : l->cos_b * step - l->sin_b * zl;
 }
 

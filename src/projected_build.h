@@ -14,6 +14,7 @@ PSC_LANE void projected_base(struct psc_lobe_f64 *l, const struct psc_cap *cap)
     l->cos_a = cap->cos_a;
     l->sin_b = cap->sin_b;
     l->cos_b = cap->cos_b;
+    l->per_a = 1.0 / cap->sin_a;
     l->q2 = cap->q2;
     l->h0 = cap->sin_a * cap->sin_a / (1.0 + cap->cos_a);
     l->x_e = cap->cos_a * cap->cos_b;

@@ -53,8 +53,9 @@ PSC_LANE void FN(radial_both)(const struct FN(psc_lobe) *l, real s, real t,
     h = quintic_step(f, d, l->x_e * sine, l->x_e * (1.0 - versine), -l->x_e * sine, 0.01);
     turn_by(h, &sine, &versine);
 #else
-    h = -f / d;
-    h = h * (K(1.0) - h * (K(0.5) * l->x_e * sine / d));
+    d = K(1.0) / d;
+    h = -f * d;
+    h = h * (K(1.0) - h * (K(0.5) * l->x_e * sine * d));
     cosine = K(1.0) - versine;
     versine += h * (sine + K(0.5) * h * cosine);
     sine += h * (cosine - K(0.5) * h * sine);
@@ -67,6 +68,6 @@ PSC_LANE void FN(radial_both)(const struct FN(psc_lobe) *l, real s, real t,
     /* On the outline, across is -sin beta times the height; on the circle, v. */
     d = circle ? l->v0 - l->cos_b * versine : -l->sin_b * bz;
     p->across = rho * d - margin * (l->cos_a * l->sin_b * l->sin_b);
-    d = d / l->sin_a;
+    d = d * l->per_a;
     p->power = (K(1.0) - s) * (l->sin_b * l->sin_b) - (circle ? s * (d * d) : K(0.0));
 }

@@ -21,28 +21,28 @@
 
 /*
  * N at a, and its divided difference (N(b) - N(a)) / (b - a) by Horner's rule for differences.
- * Even and odd powers go separately, N(w) = E(w^2) + w O(w^2), which halves the chain of
- * dependent operations:
- *     N[a,b] = (E[a^2,b^2] + b O[a^2,b^2]) (a + b) + O(a^2).
+ * The four residues of the exponent go separately, N(w) = sum of w^k P_k(w^4), which shortens the
+ * chain of dependent operations: with D_k the divided difference of P_k in w^4,
+ *     N[a,b] = P_1 + (a + b) P_2 + (a^2 + a b + b^2) P_3
+ *            + (a + b) (a^2 + b^2) (D_0 + b D_1 + b^2 D_2 + b^3 D_3).
  */
 PSC_LANE double segment(double a, double b, double *difference)
 {
     static const double c[] = {1.0, PSC_SEGMENT_F64};
-    const double a2 = a * a, b2 = b * b;
-    double even = c[16], odd = c[15], even_d = 0.0, odd_d = 0.0;
+    const double a2 = a * a, b2 = b * b, a4 = a2 * a2, b4 = b2 * b2;
+    double p0 = c[16], d0 = 0.0, p1 = c[13], d1 = 0.0, p2 = c[14], d2 = 0.0, p3 = c[15], d3 = 0.0;
 
-#define STEP(j)                      \
-    even_d = even_d * b2 + even;     \
-    even = even * a2 + c[j];
-    STEP(14) STEP(12) STEP(10) STEP(8) STEP(6) STEP(4) STEP(2) STEP(0)
+#define STEP(k, j)           \
+    d##k = d##k * b4 + p##k; \
+    p##k = p##k * a4 + c[j];
+    STEP(0, 12)
+    STEP(0, 8) STEP(1, 9) STEP(2, 10) STEP(3, 11)
+    STEP(0, 4) STEP(1, 5) STEP(2, 6) STEP(3, 7)
+    STEP(0, 0) STEP(1, 1) STEP(2, 2) STEP(3, 3)
 #undef STEP
-#define STEP(j)                  \
-    odd_d = odd_d * b2 + odd;    \
-    odd = odd * a2 + c[j];
-    STEP(13) STEP(11) STEP(9) STEP(7) STEP(5) STEP(3) STEP(1)
-#undef STEP
-    *difference = (even_d + b * odd_d) * (a + b) + odd;
-    return even + a * odd;
+    *difference = ((p1 + (a + b) * p2) + (a2 + b * (a + b)) * p3) +
+                  (a + b) * (a2 + b2) * ((d0 + b * d1) + b2 * (d2 + b * d3));
+    return (p0 + a * p1) + a2 * (p2 + a * p3);
 }
 
 #endif
