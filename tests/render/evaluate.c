@@ -234,7 +234,7 @@ static void print_table(evaluation *e)
                            frame_share(k, pictured[row]) * e->scene.light_count;
             const double rms = c->rms[i] / base->rms[i], time = c->seconds[i] / base->seconds[i];
             const double equal = c->rms[i] / baseline_rms(base, time * pictured[row]);
-            printf("  %3u  %-22s %9.3g %9.3f %9.0f  %8.3g %6.2f %9.3g %9.3g\n", pictured[row],
+            printf("  %3u  %-22s %9.3g %9.4f %9.0f  %8.3g %6.2f %9.3g %9.3g\n", pictured[row],
                    techniques[t].name, c->rms[i], c->seconds[i],
                    1e9 * c->seconds[i] / (double)samples, rms, time, 1 / (rms * rms * time), equal);
             if (t > 0 && !(rms < 1))
