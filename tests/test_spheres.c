@@ -310,7 +310,8 @@ static void sweep(const struct test_technique *what)
         if (e.r.cb == 0 || e.r.visible == REFERENCE_EMPTY)
             continue; /* no frame, no light */
         psc_sampler_total(s.sampler, &total);
-        worst_add(&total_error, (double)quad_abs(total / exact_total(what, &e) - 1), "scene %d: %s", i, text);
+        worst_add(&total_error, (double)quad_abs(total / exact_total(what, &e) - 1),
+                  "scene %d: %s", i, text);
         for (j = 0; j < SAMPLES; j++) {
             double u = random_coordinate(&seed), v = random_coordinate(&seed);
 
