@@ -188,7 +188,7 @@ static void make_element(const struct wavefront *w, size_t i, double element[MAX
 
 static const char *const facing_names[FACINGS] = {"no normal", "one-sided", "two-sided"};
 
-static void check_builds(const struct variant *variant, const struct test_technique *what,
+static void check_builds(const struct psc_variant *variant, const struct test_technique *what,
                          int distant, int bits)
 {
     struct tally tally = {{0}, 0, 0, {0}};
@@ -212,11 +212,11 @@ static void check_builds(const struct variant *variant, const struct test_techni
                 check_light_f32(&tally, &light, variant);
         }
     tap_ok(tally.differences == 0 && tally.compared > 0,
-           "%s f%d, %s of %s: %zu differences in %zu samples of batches", variant->name, bits,
+           "%s f%d, %s of %s: %zu differences in %zu samples of batches", variant_name(variant), bits,
            what->name, distant ? "caps" : "spheres", tally.differences, tally.compared);
 }
 
-static void check_wavefronts(const struct variant *variant, const struct test_technique *what,
+static void check_wavefronts(const struct psc_variant *variant, const struct test_technique *what,
                              int distant, int bits)
 {
     struct tally tally = {{0}, 0, 0, {0}};
@@ -236,25 +236,25 @@ static void check_wavefronts(const struct variant *variant, const struct test_te
     }
     tap_ok(tally.differences == 0 && tally.statuses[PSC_SUCCESS] > 100 &&
                tally.statuses[PSC_EMPTY] > 10 && tally.statuses[4] > 10,
-           "%s f%d, %s of %s: %zu differences in %zu samples of wavefronts", variant->name, bits,
+           "%s f%d, %s of %s: %zu differences in %zu samples of wavefronts", variant_name(variant), bits,
            what->name, distant ? "caps" : "spheres", tally.differences, tally.compared);
 }
 
 int main(void)
 {
-    size_t v;
+    unsigned v;
     int t, distant, bits;
 
-    for (v = 0; v < variant_count; v++) {
-        if (!variants[v].runs()) {
-            tap_skip("%s: not on this CPU", variants[v].name);
+    for (v = 0; v < variant_count(); v++) {
+        if (!variant_runs(v)) {
+            tap_skip("%s: not on this CPU", variant_name(variant_at(v)));
             continue;
         }
         for (bits = 64; bits >= 32; bits -= 32)
             for (t = 0; t < TEST_TECHNIQUES; t++)
                 for (distant = 0; distant <= test_techniques[t].distant; distant++) {
-                    check_builds(variants + v, &test_techniques[t], distant, bits);
-                    check_wavefronts(variants + v, &test_techniques[t], distant, bits);
+                    check_builds(variant_at(v), &test_techniques[t], distant, bits);
+                    check_wavefronts(variant_at(v), &test_techniques[t], distant, bits);
                 }
     }
     return tap_done();

@@ -239,7 +239,7 @@ static void FN(check_repeated)(struct tally *tally, const psc_sampler *sampler, 
 
 /* All ways to take samples of a light with a variant, against single ones of the first. */
 static void FN(check_light)(struct tally *tally, const struct light *light,
-                            const struct variant *variant)
+                            const struct psc_variant *variant)
 {
     static real uv[2][COUNT_MAX];
     static struct FN(record) expected[COUNT_MAX], got[COUNT_MAX];
@@ -252,7 +252,7 @@ static void FN(check_light)(struct tally *tally, const struct light *light,
         uv[0][i] = (real)coordinate(2 * i);
         uv[1][i] = (real)coordinate(2 * i + 1);
     }
-    variant_use(variants);
+    variant_use(variant_at(0));
     build_light(sampler, light);
     FN(sample_each)(sampler, COUNT_MAX, uv, expected);
     variant_use(variant);
@@ -366,14 +366,14 @@ static void FN(check_shared)(struct tally *tally, const struct wavefront *w,
 
 /* Mixed lights in one array, against single ones of the first variant. */
 static void FN(check_wavefront)(struct tally *tally, const struct wavefront *w,
-                                const struct variant *variant)
+                                const struct psc_variant *variant)
 {
     static real values[MAX_INPUTS][COUNT_MAX];
     static struct FN(record) expected[COUNT_MAX];
     size_t i, count;
     int c, layout;
 
-    variant_use(variants);
+    variant_use(variant_at(0));
     for (i = 0; i < COUNT_MAX; i++) {
         double element[MAX_INPUTS];
 

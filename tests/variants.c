@@ -1,73 +1,48 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "variants.h"
 
-#include "sampler.h"
-
-#define TABLES(isa)                                            \
-    extern const struct psc_kernel_f32 psc_kernels_f32_##isa[]; \
-    extern const struct psc_kernel_f64 psc_kernels_f64_##isa[];
-#define ROW(isa) {#isa, runs_##isa, psc_kernels_f32_##isa, psc_kernels_f64_##isa},
-
-TABLES(base)
-static int runs_base(void) { return 1; }
+/* The library's list and choice, under another name. */
+#define psc_dispatch variant_best
+#include "dispatch.c"
+#undef psc_dispatch
 
 #if defined(TEST_SCALAR)
-TABLES(scalar)
-static int runs_scalar(void) { return 1; }
+DECLARE(scalar)
+static const struct psc_variant scalar = VARIANT(scalar);
+static const struct psc_variant *const plainest = &scalar;
+#else
+static const struct psc_variant *const plainest = NULL;
 #endif
 
-#if defined(PSC_HAVE_AVX2)
-TABLES(avx2)
-static int runs_avx2(void) { return __builtin_cpu_supports("avx2"); }
-#endif
+static const struct psc_variant *used;
 
-#if defined(PSC_HAVE_AVX512)
-TABLES(avx512)
-static int runs_avx512(void)
+unsigned variant_count(void)
 {
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-           __builtin_cpu_supports("avx512vl");
+    return psc_variant_count + (plainest != NULL);
 }
-#endif
 
-const struct variant variants[] = {
-#if defined(TEST_SCALAR)
-    ROW(scalar)
-#endif
-    ROW(base)
-#if defined(PSC_HAVE_AVX2)
-    ROW(avx2)
-#endif
-#if defined(PSC_HAVE_AVX512)
-    ROW(avx512)
-#endif
-};
-const size_t variant_count = sizeof variants / sizeof *variants;
+const struct psc_variant *variant_at(unsigned i)
+{
+    return plainest && i == 0 ? plainest : psc_variants + (i - (plainest != NULL));
+}
 
-static const struct variant *used = variants;
+int variant_runs(unsigned i)
+{
+    return (plainest && i == 0) || psc_variant_runs(i - (plainest != NULL));
+}
 
-void variant_use(const struct variant *variant)
+const char *variant_name(const struct psc_variant *variant)
+{
+    return variant->name;
+}
+
+void variant_use(const struct psc_variant *variant)
 {
     used = variant;
 }
 
-const struct variant *variant_best(void)
+const struct psc_variant *psc_dispatch(void); /* src/sampler.h declares the other name here */
+const struct psc_variant *psc_dispatch(void)
 {
-    const struct variant *best = variants;
-    size_t i;
-
-    for (i = 1; i < variant_count; i++)
-        if (variants[i].runs())
-            best = variants + i;
-    return best;
-}
-
-const struct psc_kernel_f32 *psc_dispatch_f32(enum psc_family family)
-{
-    return used->f32 + family;
-}
-
-const struct psc_kernel_f64 *psc_dispatch_f64(enum psc_family family)
-{
-    return used->f64 + family;
+    return used ? used : variant_at(0);
 }

@@ -7,23 +7,21 @@
 #ifndef PSC_TESTS_VARIANTS_H
 #define PSC_TESTS_VARIANTS_H
 
-#include <stddef.h>
+struct psc_variant;
 
-struct variant {
-    const char *name;
-    int (*runs)(void); /* whether this CPU can */
-    const struct psc_kernel_f32 *f32;
-    const struct psc_kernel_f64 *f64;
-};
+/* From the plainest to the widest: those of the library, and before them, in programs compiled
+   with TEST_SCALAR, one without vector instructions. */
+unsigned variant_count(void);
+const struct psc_variant *variant_at(unsigned i);
+const char *variant_name(const struct psc_variant *variant);
 
-/* From the plainest to the widest; the library takes the last that runs. */
-extern const struct variant variants[];
-extern const size_t variant_count;
+/* Whether this CPU runs it. */
+int variant_runs(unsigned i);
 
 /* What samplers are bound to from now on. One that was built before keeps its variant. */
-void variant_use(const struct variant *variant);
+void variant_use(const struct psc_variant *variant);
 
-/* The one that the library would take. */
-const struct variant *variant_best(void);
+/* The one that the library takes. */
+const struct psc_variant *variant_best(void);
 
 #endif

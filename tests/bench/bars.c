@@ -69,7 +69,8 @@ static double side_median(const struct bar *b, const struct side *s, int which, 
 {
     if (s->how && !strcmp(s->how, "paper"))
         return paper_median(b, s->method, which, bits);
-    return median_of(b->regime, s->method, s->how ? s->how : variant_best()->name, which, bits);
+    return median_of(b->regime, s->method, s->how ? s->how : variant_name(variant_best()), which,
+                     bits);
 }
 
 static void each_bar(FILE *to, void (*print)(FILE *, const struct bar *, int which, int bits,

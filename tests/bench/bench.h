@@ -59,7 +59,7 @@ struct job {
     int which, bits;
     size_t (*run)(struct job *job); /* returns the number of samples */
     psc_technique technique;
-    const struct variant *variant;
+    const struct psc_variant *variant;
     size_t turn; /* which light is next */
 
     size_t repeat;            /* runs in one timing */

@@ -35,7 +35,7 @@ typedef size_t (*run)(struct job *job);
 
 /* One row of a table: the same in every case and both precisions. */
 static void add_row(enum regime regime, const char *method, const char *how, run f64, run f32,
-                    const struct test_technique *what, const struct variant *variant)
+                    const struct test_technique *what, const struct psc_variant *variant)
 {
     int which, bits;
 
@@ -61,7 +61,7 @@ static void add_row(enum regime regime, const char *method, const char *how, run
 
 static void add_rivals(enum regime regime)
 {
-    const struct variant *v = variant_best();
+    const struct psc_variant *v = variant_best();
 
     add_row(regime, "copy", "memcpy", run_copy_f64, run_copy_f32, NULL, v);
     add_row(regime, "cone", "libm", run_cone_f64, run_cone_f32, NULL, v);
@@ -82,7 +82,8 @@ void make_jobs(void)
         {"concentric", {"", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_CONCENTRIC, 1}},
     };
     int regime;
-    size_t m, v;
+    size_t m;
+    unsigned v;
 
     for (regime = 0; regime < REGIMES; regime++) {
         add_rivals(regime);
@@ -93,12 +94,12 @@ void make_jobs(void)
             if (regime == REGIME_FOUR)
                 add_row(regime, methods[m].name, "batch", run_batch_f64, run_batch_f32,
                         &methods[m].what, variant_best());
-            for (v = 0; v < variant_count; v++)
-                if ((regime == REGIME_MANY || regime == REGIME_WAVEFRONT) && variants[v].runs())
-                    add_row(regime, methods[m].name, variants[v].name,
+            for (v = 0; v < variant_count(); v++)
+                if ((regime == REGIME_MANY || regime == REGIME_WAVEFRONT) && variant_runs(v))
+                    add_row(regime, methods[m].name, variant_name(variant_at(v)),
                             regime == REGIME_MANY ? run_batch_f64 : run_wavefront_f64,
                             regime == REGIME_MANY ? run_batch_f32 : run_wavefront_f32,
-                            &methods[m].what, variants + v);
+                            &methods[m].what, variant_at(v));
         }
     }
 }

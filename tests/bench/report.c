@@ -8,7 +8,7 @@ static double baseline(const struct job *j)
 {
     if (j->regime == REGIME_FOUR || j->regime == REGIME_ONE)
         return median_of(j->regime, "cone", "libm", j->which, j->bits);
-    return median_of(j->regime, "cone", variant_best()->name, j->which, j->bits);
+    return median_of(j->regime, "cone", variant_name(variant_best()), j->which, j->bits);
 }
 
 static const char *baseline_text(enum regime regime)
@@ -19,14 +19,15 @@ static const char *baseline_text(enum regime regime)
 
 static void print_machine(FILE *to, const struct machine *machine, size_t rounds)
 {
-    size_t counts[6], v;
+    size_t counts[6];
+    unsigned v;
 
     fprintf(to, "cpu:      %s\ncompiler: %s\nflags:    %s\n", machine->cpu, machine->compiler,
             machine->flags);
     fprintf(to, "library:  0x%x, kernels", (unsigned)psc_version());
-    for (v = 0; v < variant_count; v++)
-        fprintf(to, " %s%s", variants[v].name, variants[v].runs() ? "" : " (not on this cpu)");
-    fprintf(to, ", of which it takes %s\n", variant_best()->name);
+    for (v = 0; v < variant_count(); v++)
+        fprintf(to, " %s%s", variant_name(variant_at(v)), variant_runs(v) ? "" : " (not on this cpu)");
+    fprintf(to, ", of which it takes %s\n", variant_name(variant_best()));
     fprintf(to, "rounds:   %zu, medians of CPU time, ns per sample with direction and pdf\n",
             rounds);
     for (v = 0; v < CASES; v++)
@@ -115,7 +116,7 @@ void print_json(FILE *to, const struct machine *machine, size_t rounds)
     print_string(to, machine->compiler);
     fputs(", \"flags\": ", to);
     print_string(to, machine->flags);
-    fprintf(to, ", \"kernel\": \"%s\", \"rounds\": %zu,\n\"jobs\": [", variant_best()->name,
+    fprintf(to, ", \"kernel\": \"%s\", \"rounds\": %zu,\n\"jobs\": [", variant_name(variant_best()),
             rounds);
     for (i = 0; i < job_count; i++) {
         const struct job *j = &jobs[i];
