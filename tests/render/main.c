@@ -141,6 +141,7 @@ int main(int argc, char **argv)
     int wanted[SCENE_COUNT] = {0};
     unsigned failures = 0;
 
+    setvbuf(stdout, NULL, _IOLBF, 0); /* in step with the progress, wherever both go */
     if (!read_options(argc, argv, &o))
         return EXIT_FAILURE;
     for (int k = optind; k < argc; ++k) {

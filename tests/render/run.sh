@@ -4,11 +4,11 @@
 # needs nothing but Debian and compilers. Arguments are passed to render (see render --help);
 # BUILD names another build directory, OUTPUT another place for the pictures.
 set -eu
-here=$(cd "$(dirname "$0")" && pwd)
-build=${BUILD:-$here/../../build}
+root=$(cd "$(dirname "$0")/../.." && pwd)
+build=${BUILD:-$root/build}
 output=${OUTPUT:-$build/pictures}
 
-sh "$here/../setup.sh" "$build"
+sh "$root/tests/setup.sh" "$build"
 meson compile -C "$build" render maps
 mkdir -p "$output"
 "$build/tests/render/maps" "$output/maps.png"
