@@ -20,7 +20,7 @@ static psc_result no_area(const psc_sampler *s, double *value)
 }
 
 const struct psc_shape_row psc_shape_cap = {
-    PSC_SHAPE_CAP, PSC_KERNEL_CAP, "vs", 4, psc_cap_whole_solid_angle,
+    PSC_SHAPE_CAP, PSC_KERNEL_CAP, "vs", 4, {5, 7, 0, 0}, psc_cap_whole_solid_angle,
     psc_cap_projected_solid_angle, no_area, psc_cap_pdf, psc_cap_invert};
 
 psc_result psc_build_cap(psc_sampler *sampler, const psc_technique *technique,

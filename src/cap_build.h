@@ -69,6 +69,7 @@ static inline void cone_side(struct psc_side *side, const struct psc_cap *cap,
     l->cos_a = cap->cos_a;
     l->sin_b = cap->sin_b;
     l->cos_b = cap->cos_b;
+    l->rise = 1.0;
     copy3(o->axis, side->axis);
     copy3(o->axis, side->z);
     copy3(o->sideways, side->y);
@@ -178,13 +179,9 @@ static inline psc_result sphere_build(psc_sampler *s, const struct psc_request *
 
     if (radius < 0.0)
         return PSC_ERROR_NEGATIVE_SIZE;
-    if (s->map == PSC_MAP_PARALLEL && !s->projected)
-        return PSC_ERROR_UNSUPPORTED_TECHNIQUE;
     s->radius = radius;
-    for (i = 0; i < 3; i++) {
+    for (i = 0; i < 3; i++)
         s->center[i] = geometry[i];
-        s->offset[i] = geometry[i] - request->position[i];
-    }
     if (radius == 0.0)
         return PSC_EMPTY;
     see_sphere(request->position, request->normal, geometry, radius, &o);
@@ -193,6 +190,11 @@ static inline psc_result sphere_build(psc_sampler *s, const struct psc_request *
     s->distance = o.distance / o.scale;
     s->inside = o.power < 0.0;
     s->cap = o.cap;
+    if (s->inside) {
+        s->slack = -o.power / (o.radius * o.radius);
+        for (i = 0; i < 3; i++)
+            s->offset[i] = (geometry[i] - request->position[i]) * o.scale / o.radius;
+    }
     if (is_area_measure(s->measure))
         return area_side(s, &o);
     if (s->inside) {
@@ -216,8 +218,6 @@ static inline psc_result distant_build(psc_sampler *s, const struct psc_request 
     struct psc_cap_view o;
 
     s->distance = (double)INFINITY;
-    if (is_area_measure(s->measure) || (s->map == PSC_MAP_PARALLEL && !s->projected))
-        return PSC_ERROR_UNSUPPORTED_TECHNIQUE;
     if (half_angle < 0.0)
         return PSC_ERROR_NEGATIVE_SIZE;
     if (half_angle > (s->projected ? 0.5 * PSC_PI : PSC_PI))

@@ -96,11 +96,16 @@ static void invert_radial(const struct psc_lobe_f64 *l, int lune, const struct s
             u = lune_area(l, sine, MAX(versine, 0.0)) / l->total;
             uv[0] = d->depth * (d->depth - 2.0 * l->sin_b * d->height) / (v * v);
         } else {
-            const double psi = angle_of(1.0 - versine, sine);
+            const double psi = angle_of(1.0 - versine, sine), z2 = d->height * d->height;
+            double rho = r / rim;
+
+            /* Close to the horizon the height tells better how far it is. */
+            if (rho > 0.7)
+                rho = 1.0 - z2 / (l->ome2 + rho * (rim * rim));
 
             u = (l->del * psi + l->x_e * (psi * psi * psi * sine_polynomial_f64(psi * psi))) /
                 l->total;
-            uv[0] = r / rim * (r / rim);
+            uv[0] = rho * rho;
         }
     }
     u = MIN(u, 1.0);

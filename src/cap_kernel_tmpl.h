@@ -9,18 +9,12 @@ struct FN(psc_cap_world) {
     real x[3], y[3], z[3], axis[3];
     real center[3], offset[3];
     real sin_a, cos_a, h0, sin_b;
-    real radius, distance, slack;        /* slack = (radius - distance)(radius + distance) */
+    real radius, distance, slack;
     real total;
-    real rise, inverse_total; /* pdf = (height rise) inverse_total: a power of two near 1 / sin
-                                 alpha, so that float holds tiny lights */
+    real rise, inverse_total; /* of the lobe; 1 / (total rise) */
     enum psc_facing facing;
     int projected, inside, distant;
 };
-
-PSC_LANE double FN(cap_rise)(int projected, double sin_a)
-{
-    return projected ? unit_scale(sin_a) : 1.0;
-}
 
 PSC_LANE void FN(cap_world)(const psc_sampler *s, const struct psc_side *side,
                             struct FN(psc_cap_world) *w)
@@ -41,17 +35,17 @@ PSC_LANE void FN(cap_world)(const psc_sampler *s, const struct psc_side *side,
     w->sin_b = (real)side->lobe.sin_b;
     w->radius = (real)s->radius;
     w->distance = (real)s->distance;
-    w->slack = (real)((s->radius - s->distance) * (s->radius + s->distance));
+    w->slack = (real)s->slack;
     w->total = (real)s->total;
-    w->rise = (real)FN(cap_rise)(s->projected, side->lobe.sin_a);
-    w->inverse_total = (real)(s->inverse_total / FN(cap_rise)(s->projected, side->lobe.sin_a));
+    w->rise = (real)side->lobe.rise;
+    w->inverse_total = (real)(s->inverse_total / side->lobe.rise);
     w->facing = s->facing;
     w->projected = s->projected;
     w->inside = s->inside;
     w->distant = s->radius == 0.0;
 }
 
-/* The cosine that counts, and whether the sample is culled for it. */
+/* The cosine that counts; without a normal there is none, and 1 stands for it. */
 PSC_LANE real FN(cap_cosine)(const struct FN(psc_cap_world) *w, real height)
 {
     return w->facing == PSC_FACING_NONE  ? K(1.0)
@@ -62,10 +56,11 @@ PSC_LANE real FN(cap_cosine)(const struct FN(psc_cap_world) *w, real height)
 PSC_LANE void FN(cap_density)(const struct FN(psc_cap_world) *w, real height, real *pdf,
                               real *weight, psc_result *status)
 {
+    const real cosine = FN(cap_cosine)(w, height);
+
     *pdf = w->projected ? height * w->rise * w->inverse_total : w->inverse_total;
-    *weight = w->projected ? w->total : w->total * FN(cap_cosine)(w, height);
-    *status = !w->projected && w->facing == PSC_FACING_ONE && !(height > K(0.0)) ? PSC_CULLED
-                                                                                : PSC_SUCCESS;
+    *weight = w->projected ? w->total : w->total * cosine;
+    *status = w->projected || cosine > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
 }
 
 /* The direction from the offset in the side's frame. */
@@ -98,14 +93,17 @@ PSC_LANE void FN(cap_hit)(const struct FN(psc_cap_world) *w, real depth, real *r
 {
     const real d = MAX(depth, K(0.0));
     const real g = SQRT(d * (K(2.0) * w->cos_a + d));
-    const real inverse = K(1.0) / (w->cos_a + d + g);
+    const real sum = w->cos_a + d + g;
+    /* The rim seen from the surface itself: the receiver is the point, its normal the axis. */
+    const int touching = sum < SMALLEST;
+    const real inverse = K(1.0) / (touching ? K(1.0) : sum);
 
     *ratio = w->cos_a * w->cos_a * inverse;
     *scale = *ratio / w->sin_a;
-    *axial = -(d + w->h0 * w->cos_a + g) * inverse / w->sin_a;
+    *axial = -(touching ? K(1.0) : d + w->h0 * w->cos_a + g) * inverse / w->sin_a;
 }
 
-/* The far intersection, for a receiver inside: distance. */
+/* The far intersection, for a receiver inside: distance in radii. */
 PSC_LANE real FN(inside_distance)(const struct FN(psc_cap_world) *w, real dx, real dy, real dz)
 {
     const real b = (dx * w->offset[0] + dy * w->offset[1]) + dz * w->offset[2];
@@ -128,9 +126,11 @@ PSC_LANE void FN(cap_surface)(const struct FN(psc_cap_world) *w, const real dire
         }
         *distance = w->distance;
     } else if (w->inside) {
-        *distance = FN(inside_distance)(w, direction[0], direction[1], direction[2]);
+        const real t = FN(inside_distance)(w, direction[0], direction[1], direction[2]);
+
+        *distance = t * w->radius;
         for (i = 0; i < 3; i++) {
-            normal[i] = (*distance * direction[i] - w->offset[i]) / w->radius;
+            normal[i] = t * direction[i] - w->offset[i];
             point[i] = w->center[i] + w->radius * normal[i];
         }
     } else {
@@ -358,6 +358,7 @@ static void FN(cap_densities)(const struct FN(psc_cap_world) *w, size_t n,
             status[i] = PSC_SUCCESS;
     } else {
         const real total = w->total, inverse = w->inverse_total;
+        const int both = w->facing == PSC_FACING_BOTH;
 
         for (i = 0; i < n; i++)
             pdf[i] = inverse;
@@ -366,13 +367,12 @@ static void FN(cap_densities)(const struct FN(psc_cap_world) *w, size_t n,
         if (w->facing == PSC_FACING_NONE)
             for (i = 0; i < n; i++)
                 weight[i] = total;
-        else if (w->facing == PSC_FACING_BOTH)
-            for (i = 0; i < n; i++)
-                weight[i] = total * ABS(p->height[i]);
         else
             for (i = 0; i < n; i++) {
-                weight[i] = total * MAX(p->height[i], K(0.0));
-                status[i] = p->height[i] > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
+                const real cosine = both ? ABS(p->height[i]) : MAX(p->height[i], K(0.0));
+
+                weight[i] = total * cosine;
+                status[i] = cosine > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
             }
     }
 }

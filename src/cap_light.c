@@ -45,22 +45,23 @@ psc_result psc_cap_whole_solid_angle(const psc_sampler *s, double *value)
 
 /* ---- Directions ---- */
 
-/* The direction as the side sees it; whether it is in the support. */
-static int look(const struct psc_side *side, const double direction[3], double epsilon,
-                double h0, struct seen *d)
+/* The direction, stretched by the share `stretch`, as the side sees it; whether it is in the
+   support. */
+static int look(const struct psc_side *side, const double direction[3], double stretch,
+                double epsilon, double h0, struct seen *d)
 {
     double off[3];
     int i;
 
     for (i = 0; i < 3; i++)
-        off[i] = direction[i] - side->axis[i];
+        off[i] = (direction[i] - side->axis[i]) + stretch * direction[i];
     d->x = dot(off, side->x);
     d->y = dot(off, side->y);
     d->h = 0.5 * dot(off, off);
     d->depth = h0 - d->h;
     d->height = dot(direction, side->z);
-    /* The edge is as sharp as the direction was rounded. */
-    if (!(d->depth >= -4.0 * epsilon * (side->lobe.sin_a + epsilon)))
+    /* The edge is as sharp as the direction was rounded, after a sampling of its own. */
+    if (!(d->depth >= -16.0 * epsilon * (side->lobe.sin_a + epsilon)))
         return 0;
     d->depth = MAX(d->depth, 0.0);
     d->h = MIN(d->h, h0);
@@ -74,10 +75,9 @@ static double seen_w(const psc_sampler *s, const double direction[3], const stru
     double cosine, sine2;
 
     if (s->inside) {
-        const double b = dot(direction, s->offset) / s->radius;
-        const double slack = -l->gap * (1.0 + l->delta);
-        const double root = SQRT(slack + b * b);
-        const double t = b >= 0.0 ? b + root : slack / (root - b);
+        const double b = dot(direction, s->offset);
+        const double root = SQRT(s->slack + b * b);
+        const double t = b >= 0.0 ? b + root : s->slack / (root - b);
 
         cosine = l->delta - t * (1.0 - d->h);
         sine2 = t * t * (d->x * d->x + d->y * d->y);
@@ -109,14 +109,14 @@ static double reach(const psc_sampler *s, const struct psc_side *side)
 
 /* The side whose support holds the direction, or NULL. */
 static const struct psc_side *find_side(const psc_sampler *s, const double direction[3],
-                                        double epsilon, struct seen *d)
+                                        double stretch, double epsilon, struct seen *d)
 {
     int i;
 
     for (i = 0; i < s->sides; i++) {
         const struct psc_side *side = s->side + i;
 
-        if (look(side, direction, epsilon, reach(s, side), d) &&
+        if (look(side, direction, stretch, epsilon, reach(s, side), d) &&
             (!s->projected || d->height > 0.0))
             return side;
     }
@@ -126,7 +126,7 @@ static const struct psc_side *find_side(const psc_sampler *s, const double direc
 double psc_cap_pdf(const psc_sampler *s, const double direction[3], double epsilon)
 {
     struct seen d;
-    const struct psc_side *side = find_side(s, direction, epsilon, &d);
+    const struct psc_side *side = find_side(s, direction, 0.0, epsilon, &d);
 
     if (!side)
         return 0.0;
@@ -145,12 +145,17 @@ double psc_cap_pdf(const psc_sampler *s, const double direction[3], double epsil
 psc_result psc_cap_invert(const psc_sampler *s, const double direction[3], double epsilon,
                           double uv[2])
 {
-    struct seen d;
-    const struct psc_side *side = find_side(s, direction, epsilon, &d);
-    const struct psc_lobe_f64 *l;
     const int concentric = s->map == PSC_MAP_CONCENTRIC;
+    const struct psc_side *side;
+    const struct psc_lobe_f64 *l;
+    double excess = -1.0, low = 0.0;
+    struct seen d;
     int i;
 
+    /* What the length misses of 1 is rounding: it must not count as a change of direction. */
+    for (i = 0; i < 3; i++)
+        add_product(direction[i], direction[i], &excess, &low);
+    side = find_side(s, direction, -0.5 * (excess + low), epsilon, &d);
     if (!side)
         return PSC_OUTSIDE;
     l = &side->lobe;

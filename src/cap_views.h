@@ -34,7 +34,7 @@ PSC_LANE int32_t kind_of(const struct psc_wave *wave, const struct psc_cap *cap,
                          : flat         ? KIND_BOTH
                                         : KIND_LUNE;
 
-    *sign = both && cap->sin_b < 0.0 ? -1.0 : 1.0;
+    *sign = projected && both && cap->sin_b < 0.0 ? -1.0 : 1.0;
     return !fit        ? KIND_PENDING
            : projected ? kind
            : wave->facing == PSC_FACING_ONE && kind == KIND_EMPTY ? KIND_EMPTY
@@ -114,6 +114,7 @@ PSC_LANE void build_cone(struct psc_lobe_f64 *l, const struct psc_cap *cap, doub
     l->sin_b = cap->sin_b;
     l->cos_b = cap->cos_b;
     l->h0 = h0;
+    l->rise = 1.0;
     l->total = 2.0 * PSC_PI * h0;
 }
 

@@ -15,7 +15,7 @@
 /* The elements of one kind, packed. */
 struct FN(packed) {
     double sin_a[PSC_BLOCK], cos_a[PSC_BLOCK], sin_b[PSC_BLOCK], cos_b[PSC_BLOCK];
-    double q2[PSC_BLOCK], h0[PSC_BLOCK], total[PSC_BLOCK];
+    double q2[PSC_BLOCK], h0[PSC_BLOCK], total[PSC_BLOCK], rise[PSC_BLOCK];
     real u[PSC_BLOCK], v[PSC_BLOCK];
     struct FN(psc_cap_points) points;
 };
@@ -38,6 +38,7 @@ struct FN(packed) {
             CAP_NATIVE(native, lane, &l, &wide, k->u[i], k->v[i], &p);                         \
             CAP_STORE(&k->points, i, p);                                                       \
             k->total[i] = wide.total;                                                          \
+            k->rise[i] = wide.rise;                                                            \
         }                                                                                      \
     }
 WAVE_LOOP(build_cone, radial_cone, 1)
@@ -61,7 +62,7 @@ static const FN(wave_loop) FN(wave_loops)[] = {PSC_CAP_MAPS(WAVE_ROW)};
 /* Builds and samples the elements of one kind; their points go back to their places. */
 static void FN(wave_kind)(const struct views *o, const real *u, const real *v,
                           const uint32_t *index, size_t n, enum psc_cap_map map,
-                          struct FN(psc_cap_points) *to, double *total)
+                          struct FN(psc_cap_points) *to, double *total, double *rise)
 {
     struct FN(packed) k;
     size_t j;
@@ -89,6 +90,7 @@ static void FN(wave_kind)(const struct views *o, const real *u, const real *v,
         to->power[i] = k.points.power[j];
         to->across[i] = k.points.across[j];
         total[i] = k.total[j];
+        rise[i] = k.rise[j];
     }
 }
 
@@ -137,7 +139,8 @@ DIRECTION_LOOP(wave_projected_directions, 0)
 
 static void FN(wave_densities)(const struct psc_wave *restrict wave, const struct views *restrict o,
                                const struct FN(psc_cap_points) *restrict p,
-                               const double *restrict total, struct FN(psc_results) *restrict r)
+                               const double *restrict total, const double *restrict rise,
+                               struct FN(psc_results) *restrict r)
 {
     const int projected = wave->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE;
     const size_t n = wave->count;
@@ -150,10 +153,8 @@ static void FN(wave_densities)(const struct psc_wave *restrict wave, const struc
     w.projected = projected;
     if (projected) {
         for (i = 0; i < n; i++) {
-            const double rise = FN(cap_rise)(1, o->sin_a[i]);
-
             r->value[PSC_PDF][i] =
-                p->height[i] * (real)rise * (real)(1.0 / total[i] / rise);
+                p->height[i] * (real)rise[i] * (real)(1.0 / total[i] / rise[i]);
             r->value[PSC_WEIGHT][i] = (real)total[i];
         }
         for (i = 0; i < n; i++)
@@ -232,7 +233,7 @@ static void FN(wave_views)(const struct psc_wave *wave, const struct views *o, c
     uint32_t index[KIND_COUNT][PSC_BLOCK];
     size_t count[KIND_COUNT] = {0}, i;
     struct FN(psc_cap_points) points;
-    double total[PSC_BLOCK];
+    double total[PSC_BLOCK], rise[PSC_BLOCK];
     int kind;
 
     for (i = 0; i < wave->count; i++) {
@@ -246,17 +247,17 @@ static void FN(wave_views)(const struct psc_wave *wave, const struct views *o, c
 
             points.x[j] = points.y[j] = points.z[j] = points.height[j] = points.power[j] = K(0.0);
             points.across[j] = K(0.0);
-            total[j] = 1.0;
+            total[j] = rise[j] = 1.0;
         }
     for (kind = KIND_CONE; kind < KIND_COUNT; kind++)
         if (count[kind] > 0)
             FN(wave_kind)(o, u, v, index[kind], count[kind], maps[kind][wave->map], &points,
-                          total);
+                          total, rise);
     if (wave->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE)
         FN(wave_projected_directions)(wave, o, &points, r);
     else
         FN(wave_cone_directions)(wave, o, &points, r);
-    FN(wave_densities)(wave, o, &points, total, r);
+    FN(wave_densities)(wave, o, &points, total, rise, r);
     if (wave->surface)
         FN(wave_surfaces)(wave, o, &points, distant, r);
 }
@@ -264,9 +265,7 @@ static void FN(wave_views)(const struct psc_wave *wave, const struct views *o, c
 /* Leaves a block to the calls for one. */
 static int FN(wave_declined)(const struct psc_wave *wave, struct FN(psc_results) *r)
 {
-    const int declined = is_area_measure(wave->measure) ||
-                         (wave->map == PSC_MAP_PARALLEL &&
-                          wave->measure != PSC_MEASURE_PROJECTED_SOLID_ANGLE);
+    const int declined = is_area_measure(wave->measure);
     size_t i;
 
     for (i = 0; declined && i < wave->count; i++)

@@ -69,8 +69,8 @@ PSC_LANE void FN(square_to_disk)(real u, real v, real *cosine, real *sine, real 
                                  real *radius, real *margin)
 {
     const real a = K(2.0) * u - K(1.0), b = K(2.0) * v - K(1.0);
-    const int along_u = ABS(a) > ABS(b);
-    const real near = along_u ? u : v;
+    const real edge_u = MIN(u, K(1.0) - u), edge_v = MIN(v, K(1.0) - v);
+    const int along_u = edge_u < edge_v;
     const real far = along_u ? a : b;
     const real other = along_u ? b : a;
     const real ratio = other / (far == K(0.0) ? K(1.0) : far);
@@ -85,5 +85,5 @@ PSC_LANE void FN(square_to_disk)(real u, real v, real *cosine, real *sine, real 
     *sine = along_u ? s : c;
     *versine = along_u && side > K(0.0) ? cosine_defect : K(1.0) - *cosine;
     *radius = ABS(far);
-    *margin = K(2.0) * MIN(near, K(1.0) - near);
+    *margin = K(2.0) * (along_u ? edge_u : edge_v);
 }

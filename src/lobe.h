@@ -21,7 +21,9 @@
     X(ome2)  /* 1 - x_e^2 */                                                                \
     X(zc)    /* sin alpha cos beta */                                                       \
     X(low)   /* height of the lowest point of the outline, sin(beta - alpha), if above 0 */ \
+    X(high)  /* sin(alpha + beta), the height of the highest, or of a lune's middle */      \
     X(total) /* the measure of the whole: steradians, projected ones, or squared lengths */ \
+    X(rise)  /* a power of two: pdf is height rise / (total rise), for float's sake */      \
     /* Radial map: the horizon's circle [0, psi_l] has the share `circle` of the total. */  \
     X(circle) X(per_ellipse) X(psi_l) X(m) X(b1) X(c1) X(per_circle)                      \
     /* Radial map of a lune: k = |a_x|, v0 = cos beta - cos alpha, and the start values. */ \

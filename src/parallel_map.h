@@ -44,7 +44,8 @@ PSC_LANE struct chord chord_at(const struct psc_lobe_f64 *l, int lune, double si
         c.length = v * v / ((v + l->cos_a * l->sin_b * l->sin_b) / l->cos_b -
                             l->sin_a * l->sin_b * cosine + 1e-300);
     } else {
-        c.length = l->del - sagitta + l->sin_a * l->sin_b * cosine;
+        c.length = (c.cos_psi < 0.5 ? c.cos_psi - l->x_e : l->del - sagitta) +
+                   l->sin_a * l->sin_b * cosine;
     }
     return c;
 }
@@ -146,30 +147,31 @@ PSC_LANE struct chord chord_solve(const struct psc_lobe_f64 *l, int lune, double
 
 /* The point at the share u of a chord that ends on the horizon. */
 PSC_LANE void clipped_chord_point(const struct psc_lobe_f64 *l, int lune, const struct chord *c,
-                                  double u, double side, struct psc_point_f64 *p)
+                                  double u, double rest, double side,
+                                  struct psc_point_f64 *p)
 {
     const double half = l->sin_a * l->sin_b * c->cosine, step = u * c->length;
-    const double zl = l->cos_a * l->sin_b + l->zc * c->cosine;
+    const double zl = l->high - l->zc * (c->sine * c->sine / (1.0 + c->cosine));
     const double power = step * (2.0 * half - step);
     double up;
 
-    chord_point_f64(l, 0, -half, side * c->y, c->length, MAX(zl, 0.0), 0.0, u, p);
+    chord_point_f64(l, 0, -half, side * c->y, c->length, MAX(zl, 0.0), 0.0, u, rest, p);
     up = l->sin_b * p->height;
     p->power = power * (l->per_a * l->per_a);
     p->across = lune ? SQRT(up * up - power) : l->cos_b * step - l->sin_b * zl;
 }
 
-/* The point at the share u of the chord with the share r of the area beyond it. */
-PSC_LANE void lune_chord_point(const struct psc_lobe_f64 *l, double u, double r, double side,
-                               struct psc_point_f64 *p)
+/* The point at the share u (rest = 1 - u) of the chord with the share r of the area beyond. */
+PSC_LANE void lune_chord_point(const struct psc_lobe_f64 *l, double u, double rest, double r,
+                               double side, struct psc_point_f64 *p)
 {
     const struct chord c = chord_solve(l, 1, 1.0 - r, r);
 
-    clipped_chord_point(l, 1, &c, u, side, p);
+    clipped_chord_point(l, 1, &c, u, rest, side, p);
 }
 
-PSC_LANE void both_chord_point(const struct psc_lobe_f64 *l, double u, double r, double side,
-                               struct psc_point_f64 *p)
+PSC_LANE void both_chord_point(const struct psc_lobe_f64 *l, double u, double rest, double r,
+                               double side, struct psc_point_f64 *p)
 {
     const struct chord c = chord_solve(l, 0, 1.0 - r, r);
     const int is_whole = r < l->whole;
@@ -177,13 +179,14 @@ PSC_LANE void both_chord_point(const struct psc_lobe_f64 *l, double u, double r,
     struct psc_point_f64 whole;
     double sine, cosine, half, zl, zr;
 
-    clipped_chord_point(l, 0, &c, u, side, p);
+    clipped_chord_point(l, 0, &c, u, rest, side, p);
     solve_chord_f64(MIN(scaled, 1.0), &sine, &cosine);
     half = l->sin_a * l->sin_b * sine;
     zl = l->cos_a * l->sin_b + l->zc * sine;
     zr = l->cos_a * l->sin_b - l->zc * sine;
-    chord_point_f64(l, 0, -half, side * l->sin_a * cosine, 2.0 * half, zl, zr, u, &whole);
-    whole_chord_power_f64(l, u, sine, zl, zr, &whole);
+    chord_point_f64(l, 0, -half, side * l->sin_a * cosine, 2.0 * half, zl, zr, u, rest,
+                    &whole);
+    whole_chord_power_f64(l, u, rest, sine, zl, zr, &whole);
     p->x = is_whole ? whole.x : p->x;
     p->y = is_whole ? whole.y : p->y;
     p->z = is_whole ? whole.z : p->z;
@@ -195,13 +198,13 @@ PSC_LANE void both_chord_point(const struct psc_lobe_f64 *l, double u, double r,
 PSC_LANE void parallel_lune_f64(const struct psc_lobe_f64 *l, double u, double v,
                                 struct psc_point_f64 *p)
 {
-    lune_chord_point(l, u, 2.0 * MIN(v, 1.0 - v), COPYSIGN(1.0, v - 0.5), p);
+    lune_chord_point(l, u, 1.0 - u, 2.0 * MIN(v, 1.0 - v), COPYSIGN(1.0, v - 0.5), p);
 }
 
 PSC_LANE void parallel_both_f64(const struct psc_lobe_f64 *l, double u, double v,
                                 struct psc_point_f64 *p)
 {
-    both_chord_point(l, u, 2.0 * MIN(v, 1.0 - v), COPYSIGN(1.0, v - 0.5), p);
+    both_chord_point(l, u, 1.0 - u, 2.0 * MIN(v, 1.0 - v), COPYSIGN(1.0, v - 0.5), p);
 }
 
 /*
@@ -209,38 +212,47 @@ PSC_LANE void parallel_both_f64(const struct psc_lobe_f64 *l, double u, double v
  * the place on a chord: the chord that cuts off the same share of the disk, the same share of
  * the chord.
  */
-PSC_LANE void disk_to_chord(double u, double v, double *share, double *r, double *side)
+PSC_LANE void disk_to_chord(double u, double v, double *share, double *rest, double *r,
+                            double *side)
 {
     double cosine, sine, versine, radius, margin, p, q, sine_h, h, defect, versine_h;
+    double outside, square, along, less, more;
 
     square_to_disk_f64(u, v, &cosine, &sine, &versine, &radius, &margin);
     p = radius * cosine;
     q = radius * sine;
-    sine_h = SQRT(margin * (1.0 + radius) + p * p);
+    outside = margin * (1.0 + radius);
+    square = outside + p * p;
+    sine_h = SQRT(square);
     h = angle_of(ABS(q), sine_h);
     sine_cosine_defects_f64(h, &defect, &versine_h);
     *r = (2.0 / PSC_PI) * (defect + (h - defect) * versine_h);
     *r = MIN(*r, 1.0);
-    *share = 0.5 * (1.0 + p / MAX(sine_h, 1e-300));
+    /* (sine_h +- |p|) / (2 sine_h) without cancellation; the tips of the disk have no chord. */
+    along = square > 0.0 ? ABS(p) / sine_h : 0.0;
+    less = 0.5 * (square > 0.0 ? outside / square : 1.0) / (1.0 + along);
+    more = 0.5 + 0.5 * along;
+    *share = p < 0.0 ? less : more;
+    *rest = p < 0.0 ? more : less;
     *side = COPYSIGN(1.0, q);
 }
 
 PSC_LANE void concentric_lune_f64(const struct psc_lobe_f64 *l, double u, double v,
                                   struct psc_point_f64 *p)
 {
-    double share, r, side;
+    double share, rest, r, side;
 
-    disk_to_chord(u, v, &share, &r, &side);
-    lune_chord_point(l, share, r, side, p);
+    disk_to_chord(u, v, &share, &rest, &r, &side);
+    lune_chord_point(l, share, rest, r, side, p);
 }
 
 PSC_LANE void concentric_both_f64(const struct psc_lobe_f64 *l, double u, double v,
                                   struct psc_point_f64 *p)
 {
-    double share, r, side;
+    double share, rest, r, side;
 
-    disk_to_chord(u, v, &share, &r, &side);
-    both_chord_point(l, share, r, side, p);
+    disk_to_chord(u, v, &share, &rest, &r, &side);
+    both_chord_point(l, share, rest, r, side, p);
 }
 
 /* Completes a lobe for the two maps above. Needs the total; q = sqrt(q2). */

@@ -50,13 +50,13 @@ PSC_LANE void FN(solve_chord)(real r, real *sine, real *cosine)
 }
 
 /* power and across of a point on a chord between two points of the outline. */
-PSC_LANE void FN(whole_chord_power)(const struct FN(psc_lobe) *l, real u, real sine, real zl,
-                                    real zr, struct FN(psc_point) *p)
+PSC_LANE void FN(whole_chord_power)(const struct FN(psc_lobe) *l, real u, real rest, real sine,
+                                    real zl, real zr, struct FN(psc_point) *p)
 {
     const real half = l->sin_b * sine;
 
-    p->power = K(4.0) * u * (K(1.0) - u) * (half * half);
-    p->across = -l->sin_b * ((K(1.0) - u) * zl + u * zr);
+    p->power = K(4.0) * u * rest * (half * half);
+    p->across = -l->sin_b * (rest * zl + u * zr);
 }
 
 /* The parallel map of a cap wholly above the horizon. */
@@ -70,6 +70,7 @@ PSC_LANE void FN(parallel_ellipse)(const struct FN(psc_lobe) *l, real u, real v,
     half = l->sin_a * l->sin_b * sine;
     zl = l->cos_a * l->sin_b + l->zc * sine;
     zr = l->low + l->zc * (cosine * cosine / (K(1.0) + sine));
-    FN(chord_point)(l, 1, -half, side * l->sin_a * cosine, K(2.0) * half, zl, zr, u, p);
-    FN(whole_chord_power)(l, u, sine, zl, zr, p);
+    FN(chord_point)(l, 1, -half, side * l->sin_a * cosine, K(2.0) * half, zl, zr, u,
+                    K(1.0) - u, p);
+    FN(whole_chord_power)(l, u, K(1.0) - u, sine, zl, zr, p);
 }

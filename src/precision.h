@@ -17,6 +17,7 @@
 #undef SQRT
 #undef ABS
 #undef COPYSIGN
+#undef SMALLEST
 #undef KERNEL
 
 #if PSC_BITS == 64
@@ -27,6 +28,7 @@
 #define SQRT(x) __builtin_sqrt(x)
 #define ABS(x) __builtin_fabs(x)
 #define COPYSIGN(x, s) __builtin_copysign(x, s)
+#define SMALLEST DBL_MIN
 #else
 #define real float
 #define FN(name) name##_f32
@@ -35,6 +37,7 @@
 #define SQRT(x) __builtin_sqrtf(x)
 #define ABS(x) __builtin_fabsf(x)
 #define COPYSIGN(x, s) __builtin_copysignf(x, s)
+#define SMALLEST FLT_MIN
 #endif
 
 /* Comparisons, not fmin and fmax: those are calls, and treat NaN in a way that costs. */

@@ -4,11 +4,13 @@
 #define PSC_SRC_PROJECTED_BUILD_H
 
 #include "cap_maps.h"
+#include "vector.h"
 
 /* What every map by projected solid angle needs: nothing in it cancels. */
 PSC_LANE void projected_base(struct psc_lobe_f64 *l, const struct psc_cap *cap)
 {
     const double cb_ca = cap->cos_a * cap->sin_b;
+    double lune;
 
     l->sin_a = cap->sin_a;
     l->cos_a = cap->cos_a;
@@ -21,6 +23,9 @@ PSC_LANE void projected_base(struct psc_lobe_f64 *l, const struct psc_cap *cap)
     l->ome2 = cap->sin_a * cap->sin_a + cb_ca * cb_ca;
     l->del = l->ome2 / (1.0 + l->x_e);
     l->zc = cap->cos_b * cap->sin_a;
+    lune = l->q2 / (l->zc - cb_ca + 1e-300);
+    l->high = cap->sin_b < 0.0 ? lune : l->zc + cb_ca;
+    l->rise = unit_scale(MAX(l->high, cap->sin_b));
 }
 
 PSC_LANE void ellipse_build(struct psc_lobe_f64 *l)

@@ -32,13 +32,13 @@ PSC_LANE void FN(radial_point)(const struct FN(psc_lobe) *l, int ellipse, real b
              margin * (l->ome2 + rho * k) + rho * (bz * bz), p);
 }
 
-/* The point at the share s of the chord at height y that begins at x with the length chord; zl
-   and zr are the heights of its ends. */
+/* The point at the share s (rest = 1 - s) of the chord at height y that begins at x with the
+   length chord; zl and zr are the heights of its ends. */
 PSC_LANE void FN(chord_point)(const struct FN(psc_lobe) *l, int ellipse, real x, real y,
-                              real chord, real zl, real zr, real s, struct FN(psc_point) *p)
+                              real chord, real zl, real zr, real s, real rest,
+                              struct FN(psc_point) *p)
 {
     const real step = s * chord;
 
-    FN(lift)(l, ellipse, x + step, y,
-             (K(1.0) - s) * (step * chord + zl * zl) + s * (zr * zr), p);
+    FN(lift)(l, ellipse, x + step, y, rest * (step * chord + zl * zl) + s * (zr * zr), p);
 }

@@ -105,9 +105,6 @@ psc_result psc_build_numbers(psc_sampler *sampler, const struct psc_shape_row *s
     for (i = 0; i < shape->numbers; i++)
         if (!is_finite(geometry[i]))
             return PSC_ERROR_NOT_FINITE;
-    if (request->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE &&
-        request->facing == PSC_FACING_NONE)
-        return PSC_ERROR_NEEDS_NORMAL;
     sampler->f32 = kernels->f32 + shape->kernel;
     sampler->f64 = kernels->f64 + shape->kernel;
     sampler->shape = shape;
@@ -154,6 +151,8 @@ psc_result psc_build(psc_sampler *sampler, const struct psc_shape_row *shape,
         for (k = 0; parts[i] && k < numbers; k++)
             geometry[n++] = parts[i][k];
     }
+    if (result == PSC_SUCCESS)
+        result = psc_check_offer(shape, &request);
     if (result == PSC_SUCCESS)
         return psc_build_numbers(sampler, shape, &request, geometry);
     psc_clear(sampler);

@@ -60,9 +60,10 @@ struct psc_sampler {
     double total, inverse_total;
 
     /* Of the sphere; a distant light has radius 0 and the distance infinity. */
-    double center[3], offset[3]; /* offset: centre minus position */
-    double radius, distance;
+    double center[3], radius, distance;
     int inside;
+    double offset[3], slack; /* for a receiver inside, in radii: of the centre, and
+                                radius^2 - distance^2 */
 
     struct psc_cap cap; /* for the totals in other measures */
     int sides;          /* 0, 1 or 2 */
@@ -115,6 +116,7 @@ struct psc_shape_row {
     enum psc_kernel_index kernel;
     const char *parts; /* of its geometry: v for a vector, s for a scalar */
     int numbers;       /* in all of them, at most PSC_MAX_GEOMETRY */
+    uint32_t maps[4];  /* by measure: a bit 1 << map for each map that is offered */
     psc_result (*solid_angle)(const psc_sampler *sampler, double *value);
     psc_result (*projected_solid_angle)(const psc_sampler *sampler, double *value);
     psc_result (*area)(const psc_sampler *sampler, double *value);
@@ -125,6 +127,9 @@ struct psc_shape_row {
 };
 
 extern const struct psc_shape_row psc_shape_sphere, psc_shape_cap;
+
+/* Whether the shape offers the technique to this receiver. */
+psc_result psc_check_offer(const struct psc_shape_row *shape, const struct psc_request *request);
 
 /* Leaves the sampler empty: safe to sample, pdf 0. */
 void psc_clear(psc_sampler *sampler);

@@ -10,7 +10,7 @@ static psc_result area(const psc_sampler *s, double *value)
 }
 
 const struct psc_shape_row psc_shape_sphere = {
-    PSC_SHAPE_SPHERE, PSC_KERNEL_SPHERE, "vs", 4, psc_cap_whole_solid_angle,
+    PSC_SHAPE_SPHERE, PSC_KERNEL_SPHERE, "vs", 4, {5, 7, 5, 5}, psc_cap_whole_solid_angle,
     psc_cap_projected_solid_angle, area, psc_cap_pdf, psc_cap_invert};
 
 psc_result psc_build_sphere(psc_sampler *sampler, const psc_technique *technique,

@@ -76,6 +76,16 @@ psc_result psc_check_receiver(const psc_receiver *receiver, struct psc_request *
                : psc_check_point(receiver->flags, receiver->position, receiver->normal, request);
 }
 
+psc_result psc_check_offer(const struct psc_shape_row *shape, const struct psc_request *request)
+{
+    if (!(shape->maps[request->measure] >> request->map & 1))
+        return PSC_ERROR_UNSUPPORTED_TECHNIQUE;
+    return request->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE &&
+                   request->facing == PSC_FACING_NONE
+               ? PSC_ERROR_NEEDS_NORMAL
+               : PSC_SUCCESS;
+}
+
 psc_result psc_check_samples(const void *samples, size_t size)
 {
     const psc_result result = check_struct(samples, size);

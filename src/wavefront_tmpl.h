@@ -76,14 +76,11 @@ static psc_result FN(check_wavefront)(const struct psc_shape_row *shape,
     for (p = 0; shape->parts[p]; p++)
         if (!FN(complete)(parts[p], shape->parts[p] == 'v' ? 3 : 1))
             return PSC_ERROR_NULL_POINTER;
-    result = psc_check_samples(out, sizeof *out);
-    if (result == PSC_SUCCESS && !has_normal &&
-        request->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE)
-        return PSC_ERROR_NEEDS_NORMAL;
     request->facing = !has_normal                                  ? PSC_FACING_NONE
                       : receivers->flags & PSC_RECEIVER_TWO_SIDED ? PSC_FACING_BOTH
                                                                   : PSC_FACING_ONE;
-    return result;
+    result = psc_check_samples(out, sizeof *out);
+    return result != PSC_SUCCESS ? result : psc_check_offer(shape, request);
 }
 
 psc_result FN(psc_wavefront)(const struct psc_shape_row *shape, const psc_technique *technique,
