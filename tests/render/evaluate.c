@@ -12,7 +12,7 @@ const technique_row techniques[TECHNIQUES] = {
 };
 
 /* Pictures are kept at 1 and 4 samples; at these, times are medians. */
-enum { PICTURES = 2, COLUMNS = TECHNIQUES + 1, REPEATS = 32, PARTS = 64 };
+enum { PICTURES = 2, COLUMNS = TECHNIQUES + 1, REPEATS = 32 };
 static const unsigned pictured[PICTURES] = {1, 4};
 
 /* An unoccluded estimate is the sum of totals rounded to float, each right within this. */
@@ -61,15 +61,16 @@ static size_t hit_count(const evaluation *e)
 /* ---- The reference ----------------------------------------------------------------------- */
 
 /* How far the mean of the two halves is from the form factors, in standard deviations, in the
-   worst of the parts that the hits fall into; the halves tell the deviation. */
+   worst of the parts that the hits are cut into; the halves tell the deviation, and a part has
+   hits enough for that. */
 static double worst_bias(const evaluation *e, irradiance a, irradiance b)
 {
-    const size_t count = hit_count(e);
+    const size_t count = hit_count(e), most = count / 500 + 1, parts = most < 64 ? most : 64;
     double worst = 0;
 
-    for (size_t part = 0; part < PARTS; ++part) {
+    for (size_t part = 0; part < parts; ++part) {
         double bias = 0, variance = 0, total = 0;
-        for (size_t i = part * count / PARTS; i < (part + 1) * count / PARTS; ++i) {
+        for (size_t i = part * count / parts; i < (part + 1) * count / parts; ++i) {
             bias += (a[i][0] + b[i][0]) / 2 - e->reference[i][0];
             variance += (a[i][0] - b[i][0]) * (a[i][0] - b[i][0]) / 4;
             total += e->reference[i][0];
@@ -98,8 +99,8 @@ static void make_reference(evaluation *e)
     if (e->scene.open) {
         shade_exactly(&e->frame, e->reference);
         const double bias = worst_bias(e, half[0], half[1]);
-        printf("  replaced by form factors, which are exact here; of %d parts of the picture, the\n"
-               "  worst differs by %.1f standard deviations of the samples\n", PARTS, bias);
+        printf("  replaced by form factors, which are exact here; part by part of the picture,\n"
+               "  the samples differ from them by at most %.1f standard deviations\n", bias);
         if (!(bias < 5))
             fail(e, "solid-angle samples do not converge to the form factors");
         return;

@@ -20,7 +20,7 @@ static const char usage[] =
     "  -o, --output DIR     where pictures go; made if missing (render-output)\n"
     "  -w, --width N        pixels across each picture (256)\n"
     "  -n, --samples N      most samples a pixel in the error curves, at least 4 (16)\n"
-    "  -r, --reference N    samples of the reference at each of a pixel's 4 hits (128)\n"
+    "  -r, --reference N    samples of the reference at each of a pixel's 4 hits, from 16 (128)\n"
     "  -p, --points SET     sobol (Owen-scrambled) or jittered (sobol)\n"
     "  -s, --seed N         another seed, another noise (1)\n"
     "  -k, --repeat N       times are medians of this many runs, at most 32 (3)\n"
@@ -92,7 +92,7 @@ static int read_options(int argc, char **argv, options *o)
         case 'o': o->output = optarg; break;
         case 'w': good = read_number(optarg, 16, 4096, &o->width); break;
         case 'n': good = read_number(optarg, 4, 128, &o->samples); break;
-        case 'r': good = read_number(optarg, 2, 65536, &o->reference); break;
+        case 'r': good = read_number(optarg, 16, 65536, &o->reference); break;
         case 's': good = read_number(optarg, 0, UINT32_MAX, &o->seed); break;
         case 'k': good = read_number(optarg, 1, 32, &o->repeat); break;
         case 't': good = read_number(optarg, 1, 64, &o->threads); break;
