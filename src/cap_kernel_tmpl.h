@@ -192,7 +192,7 @@ PSC_LANE psc_result FN(area_density)(const struct FN(psc_cap_world) *w, real hei
     const real cosine = FN(cap_cosine)(w, height);
 
     *weight = cosine * inverse;
-    return inverse > K(0.0) && cosine > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
+    return *weight > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
 }
 
 PSC_LANE void FN(area_surface)(const struct FN(psc_cap_world) *w, const struct FN(psc_lobe) *l,

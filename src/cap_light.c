@@ -61,7 +61,7 @@ static int look(const struct psc_side *side, const double direction[3], double s
     d->depth = h0 - d->h;
     d->height = dot(direction, side->z);
     /* The edge is as sharp as the direction was rounded, after a sampling of its own. */
-    if (!(d->depth >= -16.0 * epsilon * (side->lobe.sin_a + epsilon)))
+    if (!(d->depth >= -24.0 * epsilon * (side->lobe.sin_a + epsilon)))
         return 0;
     d->depth = MAX(d->depth, 0.0);
     d->h = MIN(d->h, h0);
