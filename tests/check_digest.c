@@ -27,6 +27,7 @@ static struct digest {
 } digests[DIGESTS_MAX];
 
 static size_t digest_count;
+static size_t number_count, nan_count;
 static const char *traced; /* the name of the digest to trace, or NULL */
 
 static struct digest *find_digest(const char *name)
@@ -69,6 +70,8 @@ static void add_number(struct digest *d, const char *label, double x)
 {
     uint64_t bits = 0x7ff8000000000000u; /* any NaN */
 
+    number_count++;
+    nan_count += x != x;
     if (x == x)
         memcpy(&bits, &x, sizeof bits);
     add_word(d, label, bits);
@@ -380,6 +383,7 @@ static int compare(const char *path)
         if (!tap_ok(d && d->value == value, "%s", name))
             tap_note("    %016" PRIx64 ", stored is %016" PRIx64, d ? d->value : 0, value);
     }
+    tap_ok(nan_count == 0, "%zu of %zu numbers are NaN", nan_count, number_count);
     tap_ok(stored == digest_count, "%zu digests, %zu stored", digest_count, stored);
     if (file)
         fclose(file);

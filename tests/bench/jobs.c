@@ -81,11 +81,11 @@ void make_jobs(void)
         {"parallel", {"", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_PARALLEL, 1}},
         {"concentric", {"", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_CONCENTRIC, 1}},
     };
-    int regime;
+    enum regime regime;
     size_t m;
     unsigned v;
 
-    for (regime = 0; regime < REGIMES; regime++) {
+    for (regime = REGIME_MANY; regime < REGIMES; regime++) {
         add_rivals(regime);
         for (m = 0; m < sizeof methods / sizeof *methods; m++) {
             if (regime != REGIME_WAVEFRONT)

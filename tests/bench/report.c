@@ -87,10 +87,11 @@ static void print_errors(FILE *to)
 
 void print_tables(FILE *to, const struct machine *machine, size_t rounds)
 {
-    int regime, bits;
+    enum regime regime;
+    int bits;
 
     print_machine(to, machine, rounds);
-    for (regime = 0; regime < REGIMES; regime++)
+    for (regime = REGIME_MANY; regime < REGIMES; regime++)
         for (bits = 64; bits >= 32; bits -= 32)
             print_table(to, regime, bits);
     print_errors(to);
