@@ -73,6 +73,18 @@ static void invert_ellipse(const struct psc_lobe_f64 *l, int concentric, const s
     polar_to_square(concentric, ellipse_radius2(l, x, d), x / l->sin_b, d->y, uv);
 }
 
+/* rho of radial_point() for a boundary point of squared radius k and squared height bz2: close
+   to the horizon the height tells better than the place how far it is. */
+static double by_height(const struct psc_lobe_f64 *l, double rho, double k, double bz2,
+                        const struct seen *d)
+{
+    const double slope = l->ome2 + rho * k - bz2;
+
+    return 4.0 * d->height * SQRT(k) < slope
+               ? 1.0 - (d->height * d->height - bz2) / slope
+               : rho;
+}
+
 /* Radial map of a cap that the horizon cuts; lune: its centre is below. */
 static void invert_radial(const struct psc_lobe_f64 *l, int lune, const struct seen *d,
                           double uv[2])
@@ -81,8 +93,13 @@ static void invert_radial(const struct psc_lobe_f64 *l, int lune, const struct s
     double u;
 
     if (!lune && x * SQRT(l->q2) < y * (l->cos_a * l->sin_b * l->sin_b)) {
-        u = 1.0 - (PSC_PI - angle_of(x / l->sin_b, y)) / l->per_ellipse;
-        uv[0] = ellipse_radius2(l, x, d);
+        const double px = x / l->sin_b, inverse = 1.0 / SQRT(px * px + y * y);
+        const double bx = l->sin_a * l->sin_b * px * inverse, by = l->sin_a * y * inverse;
+        const double bz = l->cos_a * l->sin_b - l->zc * px * inverse;
+
+        u = 1.0 - (PSC_PI - angle_of(px, y)) / l->per_ellipse;
+        uv[0] = by_height(l, SQRT(ellipse_radius2(l, x, d)), bx * bx + by * by, bz * bz, d);
+        uv[0] *= uv[0];
     } else {
         const double r = SQRT(x * x + y * y), inverse = r > 0.0 ? 1.0 / r : 0.0;
         const double c = r > 0.0 ? x * inverse : 1.0, s = y * inverse;
@@ -96,12 +113,8 @@ static void invert_radial(const struct psc_lobe_f64 *l, int lune, const struct s
             u = lune_area(l, sine, MAX(versine, 0.0)) / l->total;
             uv[0] = d->depth * (d->depth - 2.0 * l->sin_b * d->height) / (v * v);
         } else {
-            const double psi = angle_of(1.0 - versine, sine), z2 = d->height * d->height;
-            double rho = r / rim;
-
-            /* Close to the horizon the height tells better how far it is. */
-            if (rho > 0.7)
-                rho = 1.0 - z2 / (l->ome2 + rho * (rim * rim));
+            const double psi = angle_of(1.0 - versine, sine);
+            const double rho = by_height(l, r / rim, rim * rim, 0.0, d);
 
             u = (l->del * psi + l->x_e * (psi * psi * psi * sine_polynomial_f64(psi * psi))) /
                 l->total;
@@ -131,12 +144,16 @@ static void invert_chord(const struct psc_lobe_f64 *l, enum psc_region region, i
         uv[0] = half > 0.0 ? 0.5 + 0.5 * x / half : 0.5;
     } else {
         const struct chord c = chord_at(l, lune, sine, cosine);
+        const double zl = l->high - l->zc * (sine * sine / (1.0 + cosine));
 
         u = chord_area(l, &c) / l->total;
         share = 1.0 - u;
         uv[0] = lune ? d->depth * (d->depth - 2.0 * l->sin_b * d->height) /
                            ((x - half) * c.length)
                      : (x + half) / c.length;
+        /* As by_height(), at the horizon's end of the chord. */
+        if (4.0 * d->height * c.length < uv[0] * (c.length * c.length) + zl * zl)
+            uv[0] = 1.0 - d->height * d->height / (uv[0] * (c.length * c.length) + zl * zl);
     }
     u = MIN(MAX(u, 0.0), 1.0);
     if (concentric) {

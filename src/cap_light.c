@@ -61,7 +61,7 @@ static int look(const struct psc_side *side, const double direction[3], double s
     d->depth = h0 - d->h;
     d->height = dot(direction, side->z);
     /* The edge is as sharp as the direction was rounded, after a sampling of its own. */
-    if (!(d->depth >= -24.0 * epsilon * (side->lobe.sin_a + epsilon)))
+    if (!(d->depth >= -32.0 * epsilon * (side->lobe.sin_a + epsilon)))
         return 0;
     d->depth = MAX(d->depth, 0.0);
     d->h = MIN(d->h, h0);
@@ -132,10 +132,12 @@ double psc_cap_pdf(const psc_sampler *s, const double direction[3], double epsil
         return 0.0;
     if (is_area(s)) {
         const struct psc_lobe_f64 *l = &side->lobe;
-        const double w = MIN(seen_w(s, direction, &d), l->width);
         struct psc_point_f64 p;
-        double pdf, inverse;
+        double pdf, inverse, w;
 
+        /* At the limb itself the density is infinite; a rounded direction is only near it. */
+        d.depth = MAX(d.depth, epsilon * (l->sin_a + epsilon));
+        w = MIN(seen_w(s, direction, &d), l->width);
         area_point_f64(l, w, 1.0 - w / l->width, 1.0, 0.0, &p, &pdf, &inverse);
         return pdf;
     }

@@ -24,8 +24,9 @@
     X(high)  /* sin(alpha + beta), the height of the highest, or of a lune's middle */      \
     X(total) /* the measure of the whole: steradians, projected ones, or squared lengths */ \
     X(rise)  /* a power of two: pdf is height rise / (total rise), for float's sake */      \
-    /* Radial map: the horizon's circle [0, psi_l] has the share `circle` of the total. */  \
-    X(circle) X(per_ellipse) X(psi_l) X(m) X(b1) X(c1) X(per_circle)                      \
+    /* Radial map: `circle` is the share of the horizon's circle [0, psi_l] in the total, */ \
+    /* `arc` that of the ellipse beyond it. */                                              \
+    X(circle) X(arc) X(per_ellipse) X(psi_l) X(m) X(b1) X(c1) X(per_circle)                 \
     /* Radial map of a lune: k = |a_x|, v0 = cos beta - cos alpha, and the start values. */ \
     X(k) X(q2) X(v0) X(layer) X(layer_width) X(a1) X(a2) X(e0) X(q1) X(q2nd) X(f0) X(f1)    \
     /* Parallel map: chords beyond y_l have the share `whole` of the total. */              \

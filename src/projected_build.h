@@ -49,6 +49,7 @@ PSC_LANE double both_build(struct psc_lobe_f64 *l)
     sector = l->del * l->psi_l + l->x_e * (l->psi_l * psi2 * sine_polynomial_f64(psi2));
     l->total = sector + ellipse * (PSC_PI - theta_l);
     l->circle = sector / l->total;
+    l->arc = ellipse * (PSC_PI - theta_l) / l->total;
     return q;
 }
 

@@ -27,7 +27,7 @@ PSC_LANE void FN(radial_both)(const struct FN(psc_lobe) *l, real s, real t,
     int circle;
 
     FN(fold)(t, &u, &r, &side);
-    circle = u <= l->circle;
+    circle = r >= l->arc;
 
     mean = u * l->total;
     y = MIN(u, l->circle) * l->per_circle;

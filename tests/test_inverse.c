@@ -36,15 +36,17 @@ static double around(double a, double b)
     return d > 0.5 ? fabs(1.0 - d) : d;
 }
 
-/* How far the direction moves when a point of the square does by some roundings. */
+/* How far the direction moves when a point of the square does by some roundings, or by what some
+   roundings of a direction move it. */
 static double motion(int bits, const psc_sampler *sampler, const double uv[2],
-                     const double direction[3])
+                     const double open[2], const double direction[3])
 {
-    double most = 0.0, step = ROUNDINGS * unit_of(bits);
+    double most = 0.0;
     int i, sign;
 
     for (i = 0; i < 2; i++)
         for (sign = -1; sign <= 1; sign += 2) {
+            double step = (ROUNDINGS + 8.0 * open[i]) * unit_of(bits);
             double u = clamp(uv[0] + (i == 0) * sign * step);
             double v = clamp(uv[1] + (i == 1) * sign * step);
             psc_light_sample_f64 there;
@@ -56,9 +58,13 @@ static double motion(int bits, const psc_sampler *sampler, const double uv[2],
 }
 
 /* How far a point of the square moves when the direction does by one rounding: from the
-   derivatives of the map. */
-static void sensitivity(const psc_sampler *sampler, double u, double v, double open[2])
+   derivatives of the map; of its projection where that is what the map is uniform in, since a
+   place near the horizon is known from there. */
+static void sensitivity(const psc_sampler *sampler, const struct light *light, double u, double v,
+                        double open[2])
 {
+    const int projected = light->what->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE;
+    const double *normal = light->scene.normal;
     const double step = 1e-7;
     psc_light_sample_f64 a, b;
     double along[2][3], area[3], size;
@@ -70,6 +76,12 @@ static void sensitivity(const psc_sampler *sampler, double u, double v, double o
         psc_sample_f64(sampler, u + du, v + dv, &b);
         for (i = 0; i < 3; i++)
             along[k][i] = (b.direction[i] - a.direction[i]) / (2.0 * step);
+        if (projected) {
+            double up = dot(along[k], normal) / dot(normal, normal);
+
+            for (i = 0; i < 3; i++)
+                along[k][i] -= up * normal[i];
+        }
     }
     cross(along[0], along[1], area);
     size = sqrt(dot(area, area));
@@ -88,7 +100,7 @@ static double pdf_motion(int bits, const psc_sampler *sampler, const double dire
         double most = 0.0;
         for (sign = -1; sign <= 1; sign += 2) {
             double moved[3] = {direction[0], direction[1], direction[2]}, there;
-            moved[i] += sign * 4.0 * unit_of(bits);
+            moved[i] += sign * 8.0 * unit_of(bits); /* of the sample and of the density */
             pdf_any(bits, sampler, moved, &there);
             most = fmax(most, fabs(there - pdf)); /* all of it, at the edge */
         }
@@ -111,15 +123,15 @@ static void one_sample(int bits, psc_sampler *sampler, const struct light *light
 
     if (sample_any(bits, sampler, u, v, &here) == PSC_CULLED && area)
         return; /* a direction belongs to the near side, whose sample it is not */
+    sensitivity(sampler, light, u, v, open);
     invert_any(bits, sampler, here.direction, uv);
     memset(&there, 0xff, sizeof there);
     sample_any(bits, sampler, uv[0], uv[1], &there);
     off = distance(here.direction, there.direction);
     if (!(off <= ROUNDINGS * unit))
-        off -= motion(bits, sampler, uv, there.direction);
+        off -= motion(bits, sampler, uv, open, there.direction);
     worst_add(&e->direction, off / unit, text, name, bits, u, v);
 
-    sensitivity(sampler, u, v, open);
     off = fmax(fabs(uv[0] - u) / (1.0 + open[0]), around(uv[1], v) / (1.0 + open[1]));
     worst_add(&e->square, uv[0] == uv[0] ? off / unit : NAN, text, name, bits, u, v);
 
