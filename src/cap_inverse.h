@@ -108,10 +108,15 @@ static void invert_radial(const struct psc_lobe_f64 *l, int lune, const struct s
         const double sine = rim * s, versine = l->del - rim * c;
 
         if (lune) {
-            const double v = l->v0 - l->cos_b * versine;
+            const double v = l->v0 - l->cos_b * versine, rho = r / rim;
+            const double k2 = l->k * l->k, m2 = k2 + v * v;
+            const double middle = d->depth - l->sin_b * d->height;
+            const double by_depth = d->depth * (middle - l->sin_b * d->height);
+            const double by_place = rho * rho * m2 - k2;
 
             u = lune_area(l, sine, MAX(versine, 0.0)) / l->total;
-            uv[0] = d->depth * (d->depth - 2.0 * l->sin_b * d->height) / (v * v);
+            /* From what a rounding of the direction changes less. */
+            uv[0] = (rho * m2 < rim * l->sin_a * middle ? by_place : by_depth) / (v * v);
         } else {
             const double psi = angle_of(1.0 - versine, sine);
             const double rho = by_height(l, r / rim, rim * rim, 0.0, d);

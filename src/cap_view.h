@@ -21,39 +21,51 @@ struct psc_cap_view {
 
 /*
  * The frame and the elevation, from a normal of any length near 1 and the vector to the light as
- * the sum vector + low. inverse = 1 / its length. Returns the height of its end above the
- * receiver's plane, in two words.
+ * the sum vector + low. inverse = 1 / its length, square its square. Returns the height of its
+ * end above the receiver's plane, in two words where it is below `close` or cancels.
+ *
+ * Products are exact where plain ones would cancel: a light near the horizon, or straight above.
  */
 PSC_LANE void see_elevation(const double n[3], const double vector[3], const double low[3],
-                            double inverse, struct psc_cap_view *o, double *height,
-                            double *height_low)
+                            double inverse, double square, double close,
+                            struct psc_cap_view *o, double *height, double *height_low)
 {
-    double up = 0.0, up_low = 0.0, n2 = 0.0, n2_low = 0.0, p, e;
-    double length, shrink, length_low, square, reach, widen;
-    double across[3], along[3], other[3];
+    double n2 = dot(n, n), up = dot(n, vector), length, shrink, reach2, reach, widen;
+    double across[3], other[3];
     int i, overhead;
 
-    for (i = 0; i < 3; i++) {
-        add_product(n[i], vector[i], &up, &up_low);
-        add_product(n[i], n[i], &n2, &n2_low);
-    }
-    up_low += dot(n, low);
     length = SQRT(n2);
     shrink = 1.0 / length;
+    *height = (up + dot(n, low)) * shrink;
+    *height_low = 0.0;
+    if (4.0 * up * up < n2 * square || ABS(*height) < close) {
+        double sum = 0.0, sum_low = 0.0, exact = 0.0, exact_low = 0.0, p, e, length_low;
 
-    /* (up + up_low) / sqrt(n2 + n2_low) */
-    two_product(length, length, &p, &e);
-    length_low = ((n2 - p) - e + n2_low) * (0.5 * shrink);
-    *height = (up + up_low) * shrink;
-    two_product(*height, length, &p, &e);
-    *height_low = ((up - p) - e + up_low - *height * length_low) * shrink;
+        for (i = 0; i < 3; i++) {
+            add_product(n[i], vector[i], &sum, &sum_low);
+            add_product(n[i], n[i], &exact, &exact_low);
+        }
+        sum_low += dot(n, low);
+        /* (sum + sum_low) / sqrt(exact + exact_low) */
+        two_product(length, length, &p, &e);
+        length_low = ((exact - p) - e + exact_low) * (0.5 * shrink);
+        *height = (sum + sum_low) * shrink;
+        two_product(*height, length, &p, &e);
+        *height_low = ((sum - p) - e + sum_low - *height * length_low) * shrink;
+    }
 
-    cross(n, vector, across);
-    cross_rounded(n, low, along);
-    for (i = 0; i < 3; i++)
-        across[i] += along[i];
-    square = dot(across, across);
-    overhead = !(square > 0.0);
+    cross_rounded(n, vector, across);
+    reach2 = dot(across, across);
+    if (16.0 * reach2 < n2 * square) {
+        double along[3];
+
+        cross(n, vector, across);
+        cross_rounded(n, low, along);
+        for (i = 0; i < 3; i++)
+            across[i] += along[i];
+        reach2 = dot(across, across);
+    }
+    overhead = !(reach2 > 0.0);
     any_across(n, other);
     for (i = 0; i < 3; i++)
         across[i] = overhead ? other[i] : across[i];
@@ -84,7 +96,7 @@ PSC_LANE void see_around(struct psc_cap_view *o)
 PSC_LANE void see_sphere(const double position[3], const double *normal, const double center[3],
                          double radius, struct psc_cap_view *o)
 {
-    double offset[3], low[3], n[3], size, high = 0.0, error = 0.0, inverse;
+    double offset[3], low[3], n[3], size, square, inverse;
     int i, at_center;
 
     for (i = 0; i < 3; i++)
@@ -97,11 +109,18 @@ PSC_LANE void see_sphere(const double position[3], const double *normal, const d
     }
     o->radius = radius * o->scale;
 
-    for (i = 0; i < 3; i++)
-        add_product(offset[i], offset[i], &high, &error);
-    o->distance = SQRT(high + error);
-    add_product(o->radius, -o->radius, &high, &error);
-    o->power = high + (error + 2.0 * dot(offset, low));
+    square = dot(offset, offset);
+    o->distance = SQRT(square);
+    o->power = square - o->radius * o->radius;
+    if (4.0 * o->radius * o->radius > square) {
+        /* Close to the surface, and from inside: every product with its rounding. */
+        double high = 0.0, error = 0.0;
+
+        for (i = 0; i < 3; i++)
+            add_product(offset[i], offset[i], &high, &error);
+        add_product(o->radius, -o->radius, &high, &error);
+        o->power = high + (error + 2.0 * dot(offset, low));
+    }
 
     at_center = !(o->distance > 0.0);
     inverse = 1.0 / (at_center ? 1.0 : o->distance);
@@ -115,7 +134,7 @@ PSC_LANE void see_sphere(const double position[3], const double *normal, const d
         double height, height_low, sign;
 
         scale_to_one(normal, n);
-        see_elevation(n, offset, low, inverse, o, &height, &height_low);
+        see_elevation(n, offset, low, inverse, square, 2.0 * o->radius, o, &height, &height_low);
         /* How far the horizon is inside the sphere decides what is left of a thin lune. */
         sign = COPYSIGN(1.0, height);
         o->cap.q2 = ((o->radius - sign * height) - sign * height_low) *
@@ -155,11 +174,12 @@ PSC_LANE void see_cap(const double *normal, const double axis[3], double half_an
                       struct psc_cap_view *o)
 {
     static const double exact[3] = {0.0, 0.0, 0.0};
-    double a[3], n[3], inverse;
+    double a[3], n[3], square, inverse;
     int i;
 
     scale_to_one(axis, a);
-    inverse = 1.0 / SQRT(dot(a, a));
+    square = dot(a, a);
+    inverse = 1.0 / SQRT(square);
     for (i = 0; i < 3; i++)
         o->axis[i] = a[i] * inverse;
     sine_cosine(half_angle, &o->cap.sin_a, &o->cap.cos_a, &o->h0);
@@ -170,7 +190,7 @@ PSC_LANE void see_cap(const double *normal, const double axis[3], double half_an
         double height, low, sb;
 
         scale_to_one(normal, n);
-        see_elevation(n, a, exact, inverse, o, &height, &low);
+        see_elevation(n, a, exact, inverse, square, 0.0, o, &height, &low);
         sb = ABS(o->cap.sin_b);
         /* sin^2 alpha - sin^2 beta, from whichever pair is smaller. */
         o->cap.q2 = sb <= o->cap.cos_b
