@@ -81,7 +81,8 @@ enum {
         nothing to sample, outputs of sampling calls are left as they were. */
     PSC_EMPTY = 1,
     /** The sample was written and its pdf holds, but it carries no light to the receiver: it
-        lies below the receiver's horizon or on the far side of the light. Its weight is 0. */
+        lies below or on the receiver's horizon, or on the far side of the light. Its weight is
+        0. */
     PSC_CULLED = 2,
     /** The direction is not one that the sampler can give; nothing was written. */
     PSC_OUTSIDE = 3,
@@ -122,7 +123,9 @@ enum {
     /** Uniform in area over the whole surface of the light; samples on the far side come with
         PSC_CULLED. */
     PSC_MEASURE_AREA = 2,
-    /** Uniform in area over the part of the surface that faces the receiver. */
+    /** Uniform in area over the part of the surface that faces the receiver. The density of
+        directions is infinite at the limb, where the weight is 0. From a point on the surface
+        both area measures are PSC_EMPTY. */
     PSC_MEASURE_VISIBLE_AREA = 3
 };
 

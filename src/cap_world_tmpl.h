@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * From a point in the frame of a lobe to the world: direction, density and weight, and where the
+ * direction meets the light. Lane functions. Template: see precision.h.
+ */
+
+/* The constants of a side in the precision of the kernel. */
+struct FN(psc_cap_world) {
+    real x[3], y[3], z[3], axis[3];
+    real center[3], offset[3];
+    real sin_a, cos_a, h0, sin_b;
+    real radius, distance, slack;
+    real total;
+    real rise, inverse_total; /* of the lobe; 1 / (total rise) */
+    enum psc_facing facing;
+    int projected, inside, distant;
+};
+
+PSC_LANE void FN(cap_world)(const psc_sampler *s, const struct psc_side *side,
+                            struct FN(psc_cap_world) *w)
+{
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        w->x[i] = (real)side->x[i];
+        w->y[i] = (real)side->y[i];
+        w->z[i] = (real)side->z[i];
+        w->axis[i] = (real)side->axis[i];
+        w->center[i] = (real)s->center[i];
+        w->offset[i] = (real)s->offset[i];
+    }
+    w->sin_a = (real)side->lobe.sin_a;
+    w->cos_a = (real)side->lobe.cos_a;
+    w->h0 = (real)side->lobe.h0;
+    w->sin_b = (real)side->lobe.sin_b;
+    w->radius = (real)s->radius;
+    w->distance = (real)s->distance;
+    w->slack = (real)s->slack;
+    w->total = (real)s->total;
+    w->rise = (real)side->lobe.rise;
+    w->inverse_total = (real)(s->inverse_total / side->lobe.rise);
+    w->facing = s->facing;
+    w->projected = s->projected;
+    w->inside = s->inside;
+    w->distant = s->radius == 0.0;
+}
+
+/* The cosine that counts; without a normal there is none, and 1 stands for it. */
+PSC_LANE real FN(cap_cosine)(const struct FN(psc_cap_world) *w, real height)
+{
+    return w->facing == PSC_FACING_NONE  ? K(1.0)
+           : w->facing == PSC_FACING_ONE ? MAX(height, K(0.0))
+                                         : ABS(height);
+}
+
+PSC_LANE void FN(cap_density)(const struct FN(psc_cap_world) *w, real height, real *pdf,
+                              real *weight, psc_result *status)
+{
+    const real cosine = FN(cap_cosine)(w, height);
+
+    *pdf = w->projected ? height * w->rise * w->inverse_total : w->inverse_total;
+    *weight = w->projected ? w->total : w->total * cosine;
+    *status = w->projected || cosine > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
+}
+
+/* The direction from the offset in the side's frame. */
+PSC_LANE void FN(cap_direction)(const struct FN(psc_cap_world) *w, real x, real y, real z,
+                                real *dx, real *dy, real *dz)
+{
+    *dx = w->axis[0] + ((x * w->x[0] + y * w->y[0]) + z * w->z[0]);
+    *dy = w->axis[1] + ((x * w->x[1] + y * w->y[1]) + z * w->z[1]);
+    *dz = w->axis[2] + ((x * w->x[2] + y * w->y[2]) + z * w->z[2]);
+}
+
+/* The depth inside the cap, see lobe.h. */
+PSC_LANE real FN(cap_depth)(const struct FN(psc_cap_world) *w, real height, real power,
+                            real across)
+{
+    const real up = w->sin_b * height;
+    const real quotient = w->sin_a * power * (w->sin_a / (up - across));
+
+    if (!w->projected)
+        return power;
+    return (up < K(0.0)) != (across < K(0.0)) ? quotient : across + up;
+}
+
+/* Distance in units of that of the centre, and the normal in the side's frame (axial: along the
+   axis), of the near intersection with the sphere. No ray is intersected: all terms of
+     distance = cos^2 alpha / (cos alpha + depth + g),  g^2 = depth (2 cos alpha + depth)
+   are positive. */
+PSC_LANE void FN(cap_hit)(const struct FN(psc_cap_world) *w, real depth, real *ratio,
+                          real *scale, real *axial)
+{
+    const real d = MAX(depth, K(0.0));
+    const real g = SQRT(d * (K(2.0) * w->cos_a + d));
+    const real sum = w->cos_a + d + g;
+    /* The rim seen from the surface itself: the receiver is the point, its normal the axis. */
+    const int touching = sum < SMALLEST;
+    const real inverse = K(1.0) / (touching ? K(1.0) : sum);
+
+    *ratio = w->cos_a * w->cos_a * inverse;
+    *scale = *ratio / w->sin_a;
+    *axial = -(touching ? K(1.0) : d + w->h0 * w->cos_a + g) * inverse / w->sin_a;
+}
+
+/* The far intersection, for a receiver inside: distance in radii. */
+PSC_LANE real FN(inside_distance)(const struct FN(psc_cap_world) *w, real dx, real dy, real dz)
+{
+    const real b = (dx * w->offset[0] + dy * w->offset[1]) + dz * w->offset[2];
+    const real root = SQRT(w->slack + b * b);
+
+    return b >= K(0.0) ? b + root : w->slack / (root - b);
+}
+
+/* Fills everything of a result that the direction and the depth decide. */
+PSC_LANE void FN(cap_surface)(const struct FN(psc_cap_world) *w, const real direction[3], real x,
+                              real y, real z, real depth, real point[3], real normal[3],
+                              real *distance)
+{
+    int i;
+
+    if (w->distant) {
+        for (i = 0; i < 3; i++) {
+            point[i] = direction[i];
+            normal[i] = -direction[i];
+        }
+        *distance = w->distance;
+    } else if (w->inside) {
+        const real t = FN(inside_distance)(w, direction[0], direction[1], direction[2]);
+
+        *distance = t * w->radius;
+        for (i = 0; i < 3; i++) {
+            normal[i] = t * direction[i] - w->offset[i];
+            point[i] = w->center[i] + w->radius * normal[i];
+        }
+    } else {
+        real ratio, scale, axial;
+
+        FN(cap_hit)(w, depth, &ratio, &scale, &axial);
+        *distance = ratio * w->distance;
+        for (i = 0; i < 3; i++) {
+            normal[i] = scale * ((x * w->x[i] + y * w->y[i]) + z * w->z[i]) + axial * w->axis[i];
+            point[i] = w->center[i] + w->radius * normal[i];
+        }
+    }
+}
+
+/* The area maps: pdf, weight and surface point follow from w, not from the direction. */
+PSC_LANE psc_result FN(area_density)(const struct FN(psc_cap_world) *w, real height,
+                                     real inverse, real *weight)
+{
+    const real cosine = FN(cap_cosine)(w, height);
+
+    *weight = cosine * inverse;
+    return *weight > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
+}
+
+PSC_LANE void FN(area_surface)(const struct FN(psc_cap_world) *w, const struct FN(psc_lobe) *l,
+                               real x, real y, real from_near, real point[3], real normal[3],
+                               real *distance)
+{
+    const real t = SQRT(l->gap * l->gap + K(2.0) * l->delta * from_near);
+    int i;
+
+    *distance = w->radius * t;
+    for (i = 0; i < 3; i++) {
+        normal[i] = t * (x * w->x[i] + y * w->y[i]) - (K(1.0) - from_near) * w->axis[i];
+        point[i] = w->center[i] + w->radius * normal[i];
+    }
+}
