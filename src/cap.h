@@ -19,8 +19,8 @@ struct psc_cap {
 /* How the cap lies to the horizon: the cases of [UG18], section 3.2. */
 enum psc_region { PSC_REGION_EMPTY, PSC_REGION_ELLIPSE, PSC_REGION_BOTH, PSC_REGION_LUNE };
 
-/* A lune that is thinner than this share of the cap in its cosine terms differs from half an
-   ellipse's complement by less than 1e-17 of the total; taking it for beta = 0 avoids 0/0. */
+/* Where |a_x| is less than this share of cos beta - cos alpha, the lune is that of beta = 0 to
+   1e-17 of the total; taking it for that one avoids 0/0. */
 #define PSC_FLAT_LUNE 1e-17
 
 PSC_LANE enum psc_region psc_cap_region(const struct psc_cap *cap)

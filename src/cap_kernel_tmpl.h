@@ -234,7 +234,6 @@ static void FN(cap_surfaces)(const struct FN(psc_cap_world) *w, const struct FN(
 
     for (i = 0; i < n; i++) {
         real direction[3] = {to[0][i], to[1][i], to[2][i]}, point[3], normal[3], distance;
-        int c;
 
         if (area)
             FN(area_surface)(w, l, p->x[i], p->y[i], p->power[i], point, normal, &distance);
@@ -242,12 +241,7 @@ static void FN(cap_surfaces)(const struct FN(psc_cap_world) *w, const struct FN(
             FN(cap_surface)(w, direction, p->x[i], p->y[i], p->z[i],
                             FN(cap_depth)(w, p->height[i], p->power[i], p->across[i]), point, normal,
                             &distance);
-        for (c = 0; c < 3; c++) {
-            to[PSC_POINT + c][i] = point[c];
-            to[PSC_NORMAL + c][i] = normal[c];
-        }
-        to[PSC_DISTANCE][i] = distance;
-        to[PSC_SURFACE][i] = to[PSC_SURFACE + 1][i] = K(0.0);
+        FN(store_surface)(r, i, point, normal, distance);
     }
 }
 

@@ -41,8 +41,7 @@ PSC_LANE int32_t kind_of(const struct psc_wave *wave, const struct psc_cap *cap,
                                                                   : KIND_CONE;
 }
 
-PSC_LANE void store_view(struct views *to, size_t i, const struct psc_cap_view *o, double sign,
-                         int32_t kind)
+PSC_LANE void store_view(struct views *to, size_t i, const struct psc_cap_view *o)
 {
     int c;
 
@@ -57,8 +56,7 @@ PSC_LANE void store_view(struct views *to, size_t i, const struct psc_cap_view *
         to->sideways[c][i] = o->sideways[c];
         to->normal[c][i] = o->normal[c];
     }
-    to->sign[i] = sign;
-    to->kind[i] = kind;
+    to->distance[i] = o->distance / o->scale;
 }
 
 /* One loop for each way of seeing: with a normal or without. */
@@ -89,10 +87,9 @@ PSC_LANE void store_view(struct views *to, size_t i, const struct psc_cap_view *
                   (ABS(dot(position, position) * 0.0 + dot(normal, normal) * 0.0 +             \
                        dot(vector, vector) * 0.0) == 0.0);                                     \
             fit &= !(has_normal) | (size > 0.0);                                               \
-            store_view(to, i, &o, 1.0, 0);                                                     \
+            store_view(to, i, &o);                                                             \
             to->kind[i] = kind_of(wave, &o.cap, fit, &sign);                                   \
             to->sign[i] = sign;                                                                \
-            to->distance[i] = o.distance / o.scale;                                            \
         }                                                                                      \
     }
 SEE_LOOP(see_spheres, 1, (scalar > 0.0) & (o.power > 0.0) & (o.distance <= DBL_MAX),

@@ -210,12 +210,7 @@ static void FN(wave_surfaces)(const struct psc_wave *wave, const struct views *o
         FN(cap_surface)(&w, direction, p->x[i], p->y[i], p->z[i],
                         FN(cap_depth)(&w, p->height[i], p->power[i], p->across[i]), point, normal,
                         &distance);
-        for (c = 0; c < 3; c++) {
-            to[PSC_POINT + c][i] = point[c];
-            to[PSC_NORMAL + c][i] = normal[c];
-        }
-        to[PSC_DISTANCE][i] = distance;
-        to[PSC_SURFACE][i] = to[PSC_SURFACE + 1][i] = K(0.0);
+        FN(store_surface)(r, i, point, normal, distance);
     }
 }
 

@@ -28,7 +28,7 @@
     /* `arc` that of the ellipse beyond it. */                                              \
     X(circle) X(arc) X(per_ellipse) X(psi_l) X(m) X(b1) X(c1) X(per_circle)                 \
     /* Radial map of a lune: k = |a_x|, v0 = cos beta - cos alpha, and the start values. */ \
-    X(k) X(q2) X(v0) X(layer) X(layer_width) X(a1) X(a2) X(e0) X(q1) X(q2nd) X(f0) X(f1)    \
+    X(k) X(q2) X(v0) X(layer) X(layer_width) X(a1) X(a2) X(e0) X(q1) X(q2_fit) X(f0) X(f1)  \
     /* Parallel map: chords beyond y_l have the share `whole` of the total. */              \
     X(whole) X(whole_scale) X(h_l) X(thickness) X(x_m) X(lam) X(mu) X(n) X(p0) X(p1) X(p2)     \
     /* Area maps: see area_map_tmpl.h; total_area = 2 pi width. */                          \

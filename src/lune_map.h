@@ -91,7 +91,7 @@ PSC_LANE void lune_solve(const struct psc_lobe_f64 *l, double u, double r, doubl
                          double *versine)
 {
     const double w = lune_variable(l, r), w1 = 1.0 - w;
-    const double d = w * (l->a1 + w * (l->a2 + w * (l->e0 - w1 * (l->q1 - w1 * (l->q2nd +
+    const double d = w * (l->a1 + w * (l->a2 + w * (l->e0 - w1 * (l->q1 - w1 * (l->q2_fit +
                      w1 * (l->f0 + l->f1 * w))))));
     const double psi = l->psi_l * (1.0 - d);
     const double k2 = l->k * l->k;
@@ -152,7 +152,7 @@ PSC_LANE double lune_fit(const struct psc_lobe_f64 *l, double share, double *w)
     sine_cosine_defects_f64(psi, &sine_defect, &versine);
     *w = lune_variable(l, 1.0 - lune_area(l, psi - sine_defect, versine) / l->total);
     w1 = 1.0 - *w;
-    return (((d / *w - l->a1) / *w - l->a2) / *w - l->e0 + w1 * (l->q1 - w1 * l->q2nd)) /
+    return (((d / *w - l->a1) / *w - l->a2) / *w - l->e0 + w1 * (l->q1 - w1 * l->q2_fit)) /
            (w1 * w1 * w1);
 }
 
@@ -188,7 +188,7 @@ PSC_LANE void radial_lune_build(struct psc_lobe_f64 *l, double q)
     d2 = -d1 * bend / (slope * slope);
     l->e0 = 1.0 - l->a1 - l->a2;
     l->q1 = d1 - l->a1 - 2.0 * l->a2 - 3.0 * l->e0;
-    l->q2nd = 0.5 * (d2 - 2.0 * l->a2 - 6.0 * l->e0 - 6.0 * l->q1);
+    l->q2_fit = 0.5 * (d2 - 2.0 * l->a2 - 6.0 * l->e0 - 6.0 * l->q1);
 
     fit0 = lune_fit(l, 0.38, &w0);
     fit1 = lune_fit(l, 0.73, &w1);

@@ -17,6 +17,20 @@ PSC_LANE void FN(gather)(const real *from, ptrdiff_t stride, size_t first, size_
         to[i] = *(const real *)(const void *)(at + (ptrdiff_t)i * stride);
 }
 
+/* Element i of what a hit on the light decides; the surface coordinates of round lights are 0. */
+PSC_LANE void FN(store_surface)(struct FN(psc_results) *r, size_t i, const real point[3],
+                                const real normal[3], real distance)
+{
+    int c;
+
+    for (c = 0; c < 3; c++) {
+        r->value[PSC_POINT + c][i] = point[c];
+        r->value[PSC_NORMAL + c][i] = normal[c];
+    }
+    r->value[PSC_DISTANCE][i] = distance;
+    r->value[PSC_SURFACE][i] = r->value[PSC_SURFACE + 1][i] = K(0.0);
+}
+
 /* Writes the values from[at[i]] to the elements first + index[i]; an index that is NULL stands
    for 0 to n - 1. */
 PSC_LANE void FN(scatter)(const real *from, const uint32_t *at, real *to, ptrdiff_t stride,
