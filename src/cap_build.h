@@ -76,10 +76,11 @@ static inline void cone_side(struct psc_side *side, const struct psc_cap *cap,
     cross_rounded(side->y, o->axis, side->x);
 }
 
-/* The lobe and frame above (sign 1) or below (-1) the receiver's plane; its total. */
+/* The lobe and frame above (sign 1) or below (-1) the receiver's plane, of a cap around the axis
+   or, for the other half of all directions, against it (axis_sign); its total. */
 static inline double projected_side(struct psc_side *side, psc_map map,
                                     const struct psc_cap *cap, const struct psc_cap_view *o,
-                                    double sign)
+                                    double sign, double axis_sign)
 {
     static const enum psc_cap_map maps[3][4] = {
         {0, PSC_CAP_RADIAL_ELLIPSE, PSC_CAP_RADIAL_BOTH, PSC_CAP_RADIAL_LUNE},
@@ -102,11 +103,12 @@ static inline double projected_side(struct psc_side *side, psc_map map,
         else
             radial_lune_build(l, q);
     }
-    copy3(o->axis, side->axis);
     copy3(o->sideways, side->y);
     cross_rounded(o->sideways, o->normal, side->x);
-    for (i = 0; i < 3; i++)
+    for (i = 0; i < 3; i++) {
         side->z[i] = sign * o->normal[i];
+        side->axis[i] = axis_sign * o->axis[i];
+    }
     return l->total;
 }
 
@@ -117,18 +119,15 @@ static inline psc_result cap_sides(psc_sampler *s, const struct psc_cap_view *o)
     if (s->visibility == PSC_CASE_EMPTY)
         return PSC_EMPTY;
     if (s->projected) {
-        const struct psc_cap below = mirrored(&s->cap);
-        struct psc_cap_view under = *o;
-        double above = projected_side(s->side, s->map, &s->cap, o, 1.0), second = 0.0;
-        int i;
+        const double above = projected_side(s->side, s->map, &s->cap, o, 1.0, 1.0);
+        double second = 0.0;
 
         s->sides = above > 0.0;
         if (s->facing == PSC_FACING_BOTH) {
-            if (s->inside)
-                for (i = 0; i < 3; i++)
-                    under.axis[i] = -o->axis[i];
-            second = projected_side(s->side + s->sides, s->map, s->inside ? &s->cap : &below,
-                                    &under, -1.0);
+            const struct psc_cap below = s->inside ? s->cap : mirrored(&s->cap);
+
+            second = projected_side(s->side + s->sides, s->map, &below, o, -1.0,
+                                    s->inside ? -1.0 : 1.0);
             s->sides += second > 0.0;
         }
         s->total = above + second;
