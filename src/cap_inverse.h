@@ -138,11 +138,10 @@ static void invert_chord(const struct psc_lobe_f64 *l, enum psc_region region, i
     const double sine = MIN(sine0, 1.0), cosine = SQRT((1.0 - sine) * (1.0 + sine));
     const double half = l->sin_a * l->sin_b * cosine;
     const int lune = region == PSC_REGION_LUNE;
-    double u, h, defect, versine, share;
+    /* of an ellipse beyond this chord */
+    const double share = segment_share(sine, cosine, (1.0 - sine) * (1.0 + sine));
+    double u;
 
-    h = angle_of(sine, cosine);
-    sine_cosine_defects_f64(h, &defect, &versine);
-    share = 2.0 / PSC_PI * (defect + cosine * versine); /* of an ellipse beyond this chord */
     if (region == PSC_REGION_ELLIPSE ||
         (region == PSC_REGION_BOTH && share < l->whole * l->whole_scale)) {
         u = 1.0 - (region == PSC_REGION_ELLIPSE ? share : share / l->whole_scale);
@@ -152,7 +151,6 @@ static void invert_chord(const struct psc_lobe_f64 *l, enum psc_region region, i
         const double zl = l->high - l->zc * (sine * sine / (1.0 + cosine));
 
         u = chord_area(l, &c) / l->total;
-        share = 1.0 - u;
         uv[0] = lune ? d->depth * (d->depth - 2.0 * l->sin_b * d->height) /
                            ((x - half) * c.length)
                      : (x + half) / c.length;
@@ -164,9 +162,7 @@ static void invert_chord(const struct psc_lobe_f64 *l, enum psc_region region, i
     if (concentric) {
         double sine_h, cosine_h, along = 2.0 * uv[0] - 1.0;
 
-        solve_chord_f64(MIN(MAX(share, 0.0), 1.0), &sine_h, &cosine_h);
-        if (region == PSC_REGION_BOTH)
-            solve_chord_f64(1.0 - u, &sine_h, &cosine_h);
+        solve_chord_f64(1.0 - u, &sine_h, &cosine_h);
         disk_to_square(along * sine_h, COPYSIGN(cosine_h, d->y), uv, uv + 1);
     } else {
         uv[1] = 0.5 * (d->y < 0.0 ? 1.0 - u : 1.0 + u);

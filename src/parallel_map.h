@@ -215,7 +215,7 @@ PSC_LANE void parallel_both_f64(const struct psc_lobe_f64 *l, double u, double v
 PSC_LANE void disk_to_chord(double u, double v, double *share, double *rest, double *r,
                             double *side)
 {
-    double cosine, sine, versine, radius, margin, p, q, sine_h, h, defect, versine_h;
+    double cosine, sine, versine, radius, margin, p, q, sine_h;
     double outside, square, along, less, more;
 
     square_to_disk_f64(u, v, &cosine, &sine, &versine, &radius, &margin);
@@ -224,9 +224,7 @@ PSC_LANE void disk_to_chord(double u, double v, double *share, double *rest, dou
     outside = margin * (1.0 + radius);
     square = outside + p * p;
     sine_h = SQRT(square);
-    h = angle_of(ABS(q), sine_h);
-    sine_cosine_defects_f64(h, &defect, &versine_h);
-    *r = (2.0 / PSC_PI) * (defect + (h - defect) * versine_h);
+    *r = segment_share(ABS(q), sine_h, square);
     *r = MIN(*r, 1.0);
     /* (sine_h +- |p|) / (2 sine_h) without cancellation; the tips of the disk have no chord. */
     along = square > 0.0 ? ABS(p) / sine_h : 0.0;

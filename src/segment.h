@@ -19,6 +19,21 @@
 
 #define PSC_KAPPA 0.41421356237309504880
 
+/* The share of a disk beyond a chord at the height cosine, 2 / pi (H - sin H cos H) for the
+   half-angle H of that segment; square and sine are sin^2 H and its root. */
+PSC_LANE double segment_share(double cosine, double sine, double square)
+{
+    static const double c[] = {1.0, PSC_SEGMENT_F64};
+    const double versine = square / (1.0 + cosine);
+    const double w = versine / ((1.0 + cosine) + PSC_KAPPA * versine);
+    const double w2 = w * w, w4 = w2 * w2, w8 = w4 * w4;
+    const double n = ((ESTRIN4(c, 0, w, w2) + w4 * ESTRIN4(c, 4, w, w2)) +
+                      w8 * (ESTRIN4(c, 8, w, w2) + w4 * ESTRIN4(c, 12, w, w2))) +
+                     w8 * w8 * c[16];
+
+    return 4.0 / (3.0 * PSC_PI) * (sine * square) * n;
+}
+
 /*
  * N at a, and its divided difference (N(b) - N(a)) / (b - a) by Horner's rule for differences.
  * The four residues of the exponent go separately, N(w) = sum of w^k P_k(w^4), which shortens the
