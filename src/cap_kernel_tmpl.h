@@ -18,7 +18,7 @@ PSC_LANE int FN(cap_pick_side)(const psc_sampler *s, real u, real *within)
         *within = u;
         return 0;
     }
-    i = !(u < first);
+    i = u >= first && second > K(0.0); /* a second side may be less than rounding */
     u = i ? (K(1.0) - u) / second : u / first;
     *within = MIN(u, K(1.0));
     return i;
