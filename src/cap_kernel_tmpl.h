@@ -32,34 +32,56 @@ PSC_LANE int FN(cap_pick_side)(const psc_sampler *s, real u, real *within)
 /* Float where it holds the accuracy, otherwise double inside. */
 #define CAP_NATIVE(native, lane, l, wide, u, v, p) CAP_NATIVE_##native(lane, l, wide, u, v, p)
 #define CAP_NATIVE_1(lane, l, wide, u, v, p) lane##_f32(l, u, v, p)
-#define CAP_NATIVE_0(lane, l, wide, u, v, p)                    \
-    do {                                                        \
-        struct psc_point_f64 wide_point;                        \
+#define CAP_NATIVE_0(lane, l, wide, u, v, p)                     \
+    do {                                                         \
+        struct psc_point_f64 wide_point;                         \
         lane##_f64(wide, (double)(u), (double)(v), &wide_point); \
-        (p)->x = (float)wide_point.x;                           \
-        (p)->y = (float)wide_point.y;                           \
-        (p)->z = (float)wide_point.z;                           \
-        (p)->height = (float)wide_point.height;                 \
-        (p)->power = (float)wide_point.power;                   \
-        (p)->across = (float)wide_point.across;                 \
+        cap_round_point(&wide_point, p);                         \
     } while (0)
+
+PSC_LANE void cap_round_point(const struct psc_point_f64 *from, struct psc_point_f32 *to)
+{
+    to->x = (float)from->x;
+    to->y = (float)from->y;
+    to->z = (float)from->z;
+    to->height = (float)from->height;
+    to->power = (float)from->power;
+    to->across = (float)from->across;
+}
 #endif
+
+/* An area map, in double. */
+PSC_LANE void FN(area_lane)(int concentric, const struct psc_lobe_f64 *l, real u, real v,
+                            struct FN(psc_point) *p, real *pdf, real *inverse)
+{
+    struct psc_point_f64 point;
+    double density, rest;
+
+    if (concentric)
+        concentric_area(l, (double)u, (double)v, &point, &density, &rest);
+    else
+        radial_area(l, (double)u, (double)v, &point, &density, &rest);
+#if PSC_REAL_BITS == 64
+    *p = point;
+#else
+    cap_round_point(&point, p);
+#endif
+    *pdf = (real)density;
+    *inverse = (real)rest;
+}
 
 static psc_result FN(area_sample)(const psc_sampler *s, const struct psc_side *side, real u,
                                   real v, FN(psc_light_sample) *out)
 {
-    const struct FN(psc_lobe) l = CAP_LOBE(side);
     struct FN(psc_cap_world) w;
     struct FN(psc_point) p;
     real inverse;
 
     FN(cap_world)(s, side, &w);
-    if (side->map == PSC_CAP_RADIAL_AREA)
-        FN(radial_area)(&l, u, v, &p, &out->pdf, &inverse);
-    else
-        FN(concentric_area)(&l, u, v, &p, &out->pdf, &inverse);
+    FN(area_lane)(side->map == PSC_CAP_CONCENTRIC_AREA, &side->lobe, u, v, &p, &out->pdf,
+                  &inverse);
     FN(cap_direction)(&w, p.x, p.y, p.z, out->direction, out->direction + 1, out->direction + 2);
-    FN(area_surface)(&w, &l, p.x, p.y, p.power, out->point, out->normal, &out->distance);
+    FN(area_surface)(&w, p.x, p.y, p.power, p.across, out->point, out->normal, &out->distance);
     return FN(area_density)(&w, p.height, inverse, &out->weight);
 }
 
@@ -139,26 +161,26 @@ struct FN(psc_cap_points) {
 PSC_CAP_MAPS(CAP_BLOCK)
 #undef CAP_BLOCK
 
-#define AREA_BLOCK(lane)                                                                       \
+#define AREA_BLOCK(lane, concentric)                                                                       \
     static void FN(block_##lane)(const struct psc_side *side, size_t n,                        \
                                  const real *restrict u, const real *restrict v,               \
                                  struct FN(psc_cap_points) *restrict to)                       \
     {                                                                                          \
-        const struct FN(psc_lobe) l = CAP_LOBE(side);                                          \
+        const struct psc_lobe_f64 l = side->lobe;                                              \
         size_t i;                                                                              \
                                                                                                \
         for (i = 0; i < n; i++) {                                                              \
             struct FN(psc_point) p;                                                            \
             real pdf, inverse;                                                                 \
                                                                                                \
-            FN(lane)(&l, u[i], v[i], &p, &pdf, &inverse);                                      \
+            FN(area_lane)(concentric, &l, u[i], v[i], &p, &pdf, &inverse);                     \
             CAP_STORE(to, i, p);                                                               \
             to->pdf[i] = pdf;                                                                  \
             to->inverse[i] = inverse;                                                          \
         }                                                                                      \
     }
-AREA_BLOCK(radial_area)
-AREA_BLOCK(concentric_area)
+AREA_BLOCK(radial_area, 0)
+AREA_BLOCK(concentric_area, 1)
 #undef AREA_BLOCK
 
 typedef void (*FN(cap_block))(const struct psc_side *, size_t, const real *, const real *,
@@ -225,8 +247,8 @@ static void FN(cap_directions)(const struct FN(psc_cap_world) *w, size_t n,
                           &r->value[2][i]);
 }
 
-static void FN(cap_surfaces)(const struct FN(psc_cap_world) *w, const struct FN(psc_lobe) *l,
-                             size_t n, const struct FN(psc_cap_points) *restrict p, int area,
+static void FN(cap_surfaces)(const struct FN(psc_cap_world) *w, size_t n,
+                             const struct FN(psc_cap_points) *restrict p, int area,
                              struct FN(psc_results) *restrict r)
 {
     real(*to)[PSC_BLOCK] = r->value;
@@ -236,7 +258,8 @@ static void FN(cap_surfaces)(const struct FN(psc_cap_world) *w, const struct FN(
         real direction[3] = {to[0][i], to[1][i], to[2][i]}, point[3], normal[3], distance;
 
         if (area)
-            FN(area_surface)(w, l, p->x[i], p->y[i], p->power[i], point, normal, &distance);
+            FN(area_surface)(w, p->x[i], p->y[i], p->power[i], p->across[i], point, normal,
+                             &distance);
         else
             FN(cap_surface)(w, direction, p->x[i], p->y[i], p->z[i],
                             FN(cap_depth)(w, p->height[i], p->power[i], p->across[i]), point, normal,
@@ -256,11 +279,8 @@ static void FN(cap_finish)(const psc_sampler *s, const struct psc_side *side, si
     FN(cap_world)(s, side, &w);
     FN(cap_directions)(&w, n, p, r);
     FN(cap_densities)(&w, n, p, area, r);
-    if (surface) {
-        const struct FN(psc_lobe) l = CAP_LOBE(side);
-
-        FN(cap_surfaces)(&w, &l, n, p, area, r);
-    }
+    if (surface)
+        FN(cap_surfaces)(&w, n, p, area, r);
 }
 
 static void FN(cap_sample_n)(const psc_sampler *s, size_t count, const FN(psc_input) *uv,

@@ -68,7 +68,7 @@ static int look(const struct psc_side *side, const double direction[3], double s
     return 1;
 }
 
-/* The point of the sphere that is seen, for the area maps: w of area_map_tmpl.h. */
+/* The point of the sphere that is seen, for the area maps: w of area_map.h. */
 static double seen_w(const psc_sampler *s, const double direction[3], const struct seen *d)
 {
     const struct psc_lobe_f64 *l = &s->side[0].lobe;
@@ -138,7 +138,7 @@ double psc_cap_pdf(const psc_sampler *s, const double direction[3], double epsil
         /* At the limb itself the density is infinite; a rounded direction is only near it. */
         d.depth = MAX(d.depth, epsilon * (l->sin_a + epsilon));
         w = MIN(seen_w(s, direction, &d), l->width);
-        area_point_f64(l, w, 1.0 - w / l->width, 1.0, 0.0, &p, &pdf, &inverse);
+        area_point(l, w, 1.0 - w / l->width, 1.0, 0.0, &p, &pdf, &inverse);
         return pdf;
     }
     return s->projected ? d.height * s->inverse_total : s->inverse_total;

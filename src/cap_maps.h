@@ -12,7 +12,7 @@
 #include "ellipse_map_tmpl.h"
 #include "radial_map_tmpl.h"
 #include "parallel_map_tmpl.h"
-#include "area_map_tmpl.h"
+#include "area_map.h"
 #include "lune_map.h"
 #include "parallel_map.h"
 

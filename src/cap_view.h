@@ -139,6 +139,10 @@ PSC_LANE void see_sphere(const double position[3], const double *normal, const d
         sign = COPYSIGN(1.0, height);
         o->cap.q2 = ((o->radius - sign * height) - sign * height_low) *
                     (o->radius + sign * height) * (inverse * inverse);
+        /* Straight above or below, where that is below the two words: cos^2 beta - cos^2 alpha. */
+        o->cap.q2 = o->cap.cos_b < 1e-8 && o->power >= 0.0
+                        ? (o->cap.cos_b - o->cap.cos_a) * (o->cap.cos_b + o->cap.cos_a)
+                        : o->cap.q2;
         for (i = 0; i < 3; i++)
             o->axis[i] = at_center ? o->normal[i] : o->axis[i];
         o->cap.sin_b = at_center ? 1.0 : o->cap.sin_b;

@@ -155,11 +155,10 @@ PSC_LANE psc_result FN(area_density)(const struct FN(psc_cap_world) *w, real hei
     return *weight > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
 }
 
-PSC_LANE void FN(area_surface)(const struct FN(psc_cap_world) *w, const struct FN(psc_lobe) *l,
-                               real x, real y, real from_near, real point[3], real normal[3],
-                               real *distance)
+/* t: distance in radii. */
+PSC_LANE void FN(area_surface)(const struct FN(psc_cap_world) *w, real x, real y, real from_near,
+                               real t, real point[3], real normal[3], real *distance)
 {
-    const real t = SQRT(l->gap * l->gap + K(2.0) * l->delta * from_near);
     int i;
 
     *distance = w->radius * t;

@@ -16,7 +16,6 @@
 #include "ellipse_map_tmpl.h"
 #include "radial_map_tmpl.h"
 #include "parallel_map_tmpl.h"
-#include "area_map_tmpl.h"
 #endif
 
 #include "results_tmpl.h"

@@ -31,7 +31,7 @@
     X(k) X(q2) X(v0) X(layer) X(layer_width) X(a1) X(a2) X(e0) X(q1) X(q2_fit) X(f0) X(f1)  \
     /* Parallel map: chords beyond y_l have the share `whole` of the total. */              \
     X(whole) X(whole_scale) X(h_l) X(thickness) X(x_m) X(lam) X(mu) X(n) X(p0) X(p1) X(p2)     \
-    /* Area maps: see area_map_tmpl.h; total_area = 2 pi width. */                          \
+    /* Area maps: see area_map.h; total_area = 2 pi width. */                          \
     X(delta) X(gap) X(width) X(visible) X(total_area)
 
 #define PSC_FIELD_F64(name) double name;
@@ -58,7 +58,7 @@ PSC_LANE struct psc_lobe_f32 psc_lobe_round(const struct psc_lobe_f64 *lobe)
  * cos alpha (x from the receiver's axis), decides where it hits a sphere. Where the two have
  * opposite signs their sum cancels; then power = (up^2 - across^2) / sin^2 alpha helps, a
  * quadratic form that is 0 on the outline of the cap. The cone maps have the depth itself in
- * power, the area maps w.
+ * power, the area maps w, and the distance in across.
  */
 struct psc_point_f64 { double x, y, z, height, power, across; };
 struct psc_point_f32 { float x, y, z, height, power, across; };

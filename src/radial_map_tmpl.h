@@ -53,7 +53,7 @@ PSC_LANE void FN(radial_both)(const struct FN(psc_lobe) *l, real s, real t,
     h = quintic_step(f, d, l->x_e * sine, l->x_e * (1.0 - versine), -l->x_e * sine, 0.01);
     turn_by(h, &sine, &versine);
 #else
-    d = K(1.0) / d;
+    d = K(1.0) / (d + SMALLEST); /* below 1e-19 rad float has no d */
     h = -f * d;
     h = h * (K(1.0) - h * (K(0.5) * l->x_e * sine * d));
     cosine = K(1.0) - versine;
