@@ -25,13 +25,19 @@ enum psc_region { PSC_REGION_EMPTY, PSC_REGION_ELLIPSE, PSC_REGION_BOTH, PSC_REG
 
 PSC_LANE enum psc_region psc_cap_region(const struct psc_cap *cap)
 {
-    if (cap->q2 <= 0.0)
-        return cap->sin_b > 0.0 ? PSC_REGION_ELLIPSE : PSC_REGION_EMPTY;
-    if (cap->sin_b >= 0.0)
-        return PSC_REGION_BOTH;
-    return -cap->sin_a * cap->sin_b < PSC_FLAT_LUNE * cap->q2 / (cap->cos_a + cap->cos_b)
-               ? PSC_REGION_BOTH
-               : PSC_REGION_LUNE;
+    const double a_x = -cap->sin_a * cap->sin_b;
+    const double flat = PSC_FLAT_LUNE * cap->q2 / (cap->cos_a + cap->cos_b);
+
+    return cap->q2 <= 0.0      ? (cap->sin_b > 0.0 ? PSC_REGION_ELLIPSE : PSC_REGION_EMPTY)
+           : cap->sin_b >= 0.0 ? PSC_REGION_BOTH
+           : a_x < flat        ? PSC_REGION_BOTH
+                               : PSC_REGION_LUNE;
+}
+
+/* 1 - cos alpha without cancellation, also for the wide caps of solid angle. */
+PSC_LANE double psc_cap_versine(const struct psc_cap *cap)
+{
+    return cap->cos_a > 0.0 ? cap->sin_a * cap->sin_a / (1.0 + cap->cos_a) : 1.0 - cap->cos_a;
 }
 
 #endif

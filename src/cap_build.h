@@ -14,17 +14,13 @@ static inline enum psc_region lobe_total(struct psc_lobe_f64 *l, const struct ps
                                          double *q)
 {
     const enum psc_region region = psc_cap_region(cap);
-    struct psc_cap c = *cap;
 
     *q = 0.0;
-    if (region == PSC_REGION_BOTH && c.sin_b < 0.0)
-        c.sin_b = 0.0; /* a lune as thick as the half plane's share to 1e-17 */
-    projected_base(l, &c);
     switch (region) {
     case PSC_REGION_EMPTY: l->total = 0.0; break;
-    case PSC_REGION_ELLIPSE: ellipse_build(l); break;
-    case PSC_REGION_BOTH: *q = both_build(l); break;
-    case PSC_REGION_LUNE: *q = lune_build(l); break;
+    case PSC_REGION_ELLIPSE: ellipse_build(l, cap); break;
+    case PSC_REGION_BOTH: *q = both_build(l, cap); break;
+    case PSC_REGION_LUNE: *q = lune_build(l, cap); break;
     }
     return region;
 }
@@ -76,17 +72,28 @@ static inline void cone_side(struct psc_side *side, const struct psc_cap *cap,
     cross_rounded(side->y, o->axis, side->x);
 }
 
-/* The lobe and frame above (sign 1) or below (-1) the receiver's plane, of a cap around the axis
-   or, for the other half of all directions, against it (axis_sign); its total. */
-static inline double projected_side(struct psc_side *side, psc_map map,
-                                    const struct psc_cap *cap, const struct psc_cap_view *o,
-                                    double sign, double axis_sign)
+static inline enum psc_cap_map cone_map(psc_map map)
+{
+    return map == PSC_MAP_RADIAL ? PSC_CAP_RADIAL_CONE : PSC_CAP_CONCENTRIC_CONE;
+}
+
+static inline enum psc_cap_map projected_map(psc_map map, enum psc_region region)
 {
     static const enum psc_cap_map maps[3][4] = {
         {0, PSC_CAP_RADIAL_ELLIPSE, PSC_CAP_RADIAL_BOTH, PSC_CAP_RADIAL_LUNE},
         {0, PSC_CAP_PARALLEL_ELLIPSE, PSC_CAP_PARALLEL_BOTH, PSC_CAP_PARALLEL_LUNE},
         {0, PSC_CAP_CONCENTRIC_ELLIPSE, PSC_CAP_CONCENTRIC_BOTH, PSC_CAP_CONCENTRIC_LUNE},
     };
+
+    return maps[map][region];
+}
+
+/* The lobe and frame above (sign 1) or below (-1) the receiver's plane, of a cap around the axis
+   or, for the other half of all directions, against it (axis_sign); its total. */
+static inline double projected_side(struct psc_side *side, psc_map map,
+                                    const struct psc_cap *cap, const struct psc_cap_view *o,
+                                    double sign, double axis_sign)
+{
     struct psc_lobe_f64 *l = &side->lobe;
     double q;
     const enum psc_region region = lobe_total(l, cap, &q);
@@ -94,7 +101,7 @@ static inline double projected_side(struct psc_side *side, psc_map map,
 
     if (region == PSC_REGION_EMPTY)
         return 0.0;
-    side->map = maps[map][region];
+    side->map = projected_map(map, region);
     if (region != PSC_REGION_ELLIPSE) {
         if (map != PSC_MAP_RADIAL)
             parallel_build(l, region == PSC_REGION_LUNE, q);
@@ -136,7 +143,7 @@ static inline psc_result cap_sides(psc_sampler *s, const struct psc_cap_view *o)
     }
     cone_side(s->side, &s->cap, o);
     s->side[0].lobe.h0 = o->h0;
-    s->side[0].map = s->map == PSC_MAP_RADIAL ? PSC_CAP_RADIAL_CONE : PSC_CAP_CONCENTRIC_CONE;
+    s->side[0].map = cone_map(s->map);
     s->sides = 1;
     s->total = 2.0 * PSC_PI * o->h0;
     return PSC_SUCCESS;

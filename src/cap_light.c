@@ -35,11 +35,11 @@ psc_result psc_cap_projected_solid_angle(const psc_sampler *s, double *value)
 
 psc_result psc_cap_whole_solid_angle(const psc_sampler *s, double *value)
 {
-    const double sa = s->cap.sin_a, ca = s->cap.cos_a;
+    const int no_size = s->cap.sin_a == 0.0 && s->cap.cos_a == 0.0;
 
-    *value = s->inside               ? 4.0 * PSC_PI
-             : sa == 0.0 && ca == 0.0 ? 0.0 /* no size */
-                                      : 2.0 * PSC_PI * (ca > 0.0 ? sa * sa / (1.0 + ca) : 1.0 - ca);
+    *value = s->inside ? 4.0 * PSC_PI
+             : no_size ? 0.0
+                       : 2.0 * PSC_PI * psc_cap_versine(&s->cap);
     return *value > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
 }
 
@@ -82,7 +82,7 @@ static double seen_w(const psc_sampler *s, const double direction[3], const stru
         cosine = l->delta - t * (1.0 - d->h);
         sine2 = t * t * (d->x * d->x + d->y * d->y);
     } else {
-        const double sa = s->cap.sin_a, ca = s->cap.cos_a, h0 = sa * sa / (1.0 + ca);
+        const double sa = s->cap.sin_a, ca = s->cap.cos_a, h0 = psc_cap_versine(&s->cap);
         const double g = SQRT(d->depth * (2.0 * ca + d->depth));
         const double inverse = 1.0 / ((ca + d->depth + g) * sa);
 
@@ -100,11 +100,7 @@ static int is_area(const psc_sampler *s)
 /* 1 - cos of the angle that a side's directions reach. */
 static double reach(const psc_sampler *s, const struct psc_side *side)
 {
-    const struct psc_lobe_f64 *l = &side->lobe;
-
-    if (!is_area(s))
-        return l->h0;
-    return s->inside ? 2.0 : l->sin_a * l->sin_a / (1.0 + l->cos_a);
+    return !is_area(s) ? side->lobe.h0 : s->inside ? 2.0 : psc_cap_versine(&s->cap);
 }
 
 /* The side whose support holds the direction, or NULL. */

@@ -126,12 +126,12 @@ PSC_LANE void see_sphere(const double position[3], const double *normal, const d
     inverse = 1.0 / (at_center ? 1.0 : o->distance);
     o->cap.sin_a = MIN(o->radius * inverse, 1.0);
     o->cap.cos_a = SQRT(MAX(o->power, 0.0)) * inverse;
-    o->h0 = o->power < 0.0 ? 2.0 : o->cap.sin_a * o->cap.sin_a / (1.0 + o->cap.cos_a);
+    o->h0 = o->power < 0.0 ? 2.0 : psc_cap_versine(&o->cap);
     for (i = 0; i < 3; i++)
         o->axis[i] = offset[i] * inverse;
 
     if (normal) {
-        double height, height_low, sign;
+        double height, height_low, sign, upright;
 
         scale_to_one(normal, n);
         see_elevation(n, offset, low, inverse, square, 2.0 * o->radius, o, &height, &height_low);
@@ -140,9 +140,8 @@ PSC_LANE void see_sphere(const double position[3], const double *normal, const d
         o->cap.q2 = ((o->radius - sign * height) - sign * height_low) *
                     (o->radius + sign * height) * (inverse * inverse);
         /* Straight above or below, where that is below the two words: cos^2 beta - cos^2 alpha. */
-        o->cap.q2 = o->cap.cos_b < 1e-8 && o->power >= 0.0
-                        ? (o->cap.cos_b - o->cap.cos_a) * (o->cap.cos_b + o->cap.cos_a)
-                        : o->cap.q2;
+        upright = (o->cap.cos_b - o->cap.cos_a) * (o->cap.cos_b + o->cap.cos_a);
+        o->cap.q2 = o->cap.cos_b < 1e-8 ? upright : o->cap.q2;
         for (i = 0; i < 3; i++)
             o->axis[i] = at_center ? o->normal[i] : o->axis[i];
         o->cap.sin_b = at_center ? 1.0 : o->cap.sin_b;

@@ -19,6 +19,8 @@ struct views {
 /* The kinds of elements, by the loop that serves them. */
 enum { KIND_PENDING, KIND_EMPTY, KIND_CONE, KIND_ELLIPSE, KIND_BOTH, KIND_LUNE, KIND_COUNT };
 
+#define REGION_OF_KIND(kind) ((enum psc_region)(PSC_REGION_ELLIPSE + ((kind) - KIND_ELLIPSE)))
+
 /* The kind of one element, and the sign of its side; fit says whether it has a loop at all. */
 PSC_LANE int32_t kind_of(const struct psc_wave *wave, const struct psc_cap *cap, int fit,
                          double *sign)
@@ -26,8 +28,8 @@ PSC_LANE int32_t kind_of(const struct psc_wave *wave, const struct psc_cap *cap,
     const int both = wave->facing == PSC_FACING_BOTH;
     const int projected = wave->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE;
     const double sb = both ? ABS(cap->sin_b) : cap->sin_b;
-    const double k = -cap->sin_a * sb;
-    const int flat = k < PSC_FLAT_LUNE * cap->q2 / (cap->cos_a + cap->cos_b);
+    /* psc_cap_region(), spelled out: gcc 12 does not vectorise the loop over the enumeration. */
+    const int flat = -cap->sin_a * sb < PSC_FLAT_LUNE * cap->q2 / (cap->cos_a + cap->cos_b);
     const int32_t kind = cap->q2 <= 0.0 ? (sb > 0.0 ? KIND_ELLIPSE : KIND_EMPTY)
                          : both         ? KIND_PENDING
                          : sb >= 0.0    ? KIND_BOTH
@@ -118,43 +120,32 @@ PSC_LANE void build_cone(struct psc_lobe_f64 *l, const struct psc_cap *cap, doub
 PSC_LANE void build_ellipse(struct psc_lobe_f64 *l, const struct psc_cap *cap, double h0)
 {
     (void)h0;
-    projected_base(l, cap);
-    ellipse_build(l);
+    ellipse_build(l, cap);
 }
 
 PSC_LANE void build_radial_both(struct psc_lobe_f64 *l, const struct psc_cap *cap, double h0)
 {
-    struct psc_cap c = *cap;
-
     (void)h0;
-    c.sin_b = MAX(c.sin_b, 0.0);
-    projected_base(l, &c);
-    both_build(l);
+    both_build(l, cap);
     radial_both_build(l);
 }
 
 PSC_LANE void build_chord_both(struct psc_lobe_f64 *l, const struct psc_cap *cap, double h0)
 {
-    struct psc_cap c = *cap;
-
     (void)h0;
-    c.sin_b = MAX(c.sin_b, 0.0);
-    projected_base(l, &c);
-    parallel_build(l, 0, both_build(l));
+    parallel_build(l, 0, both_build(l, cap));
 }
 
 PSC_LANE void build_radial_lune(struct psc_lobe_f64 *l, const struct psc_cap *cap, double h0)
 {
     (void)h0;
-    projected_base(l, cap);
-    radial_lune_build(l, lune_build(l));
+    radial_lune_build(l, lune_build(l, cap));
 }
 
 PSC_LANE void build_chord_lune(struct psc_lobe_f64 *l, const struct psc_cap *cap, double h0)
 {
     (void)h0;
-    projected_base(l, cap);
-    parallel_build(l, 1, lune_build(l));
+    parallel_build(l, 1, lune_build(l, cap));
 }
 
 #endif

@@ -95,8 +95,8 @@ static void FN(wave_kind)(const struct views *o, const real *u, const real *v,
 }
 
 /* The constants of one element, as cap_world() has them for a side. */
-PSC_LANE void FN(wave_frame)(const struct psc_wave *wave, const struct views *o, size_t i,
-                             int cone, struct FN(psc_cap_world) *w)
+PSC_LANE void FN(wave_frame)(const struct views *o, size_t i, int cone,
+                             struct FN(psc_cap_world) *w)
 {
     const double axis[3] = {o->axis[0][i], o->axis[1][i], o->axis[2][i]};
     const double sideways[3] = {o->sideways[0][i], o->sideways[1][i], o->sideways[2][i]};
@@ -104,7 +104,6 @@ PSC_LANE void FN(wave_frame)(const struct psc_wave *wave, const struct views *o,
     double x[3];
     int c;
 
-    (void)wave;
     if (cone)
         cross_rounded(sideways, axis, x);
     else
@@ -128,7 +127,7 @@ PSC_LANE void FN(wave_frame)(const struct psc_wave *wave, const struct views *o,
         for (i = 0; i < n; i++) {                                                              \
             struct FN(psc_cap_world) w;                                                        \
                                                                                                \
-            FN(wave_frame)(wave, o, i, cone, &w);                                              \
+            FN(wave_frame)(o, i, cone, &w);                                                    \
             FN(cap_direction)(&w, p->x[i], p->y[i], p->z[i], &r->value[0][i], &r->value[1][i], \
                               &r->value[2][i]);                                                \
         }                                                                                      \
@@ -193,7 +192,7 @@ static void FN(wave_surfaces)(const struct psc_wave *wave, const struct views *o
 
         if (o->kind[i] == KIND_BOTH)
             sin_b = MAX(sin_b, 0.0);
-        FN(wave_frame)(wave, o, i, cone, &w);
+        FN(wave_frame)(o, i, cone, &w);
         w.sin_a = (real)cap.sin_a;
         w.cos_a = (real)cap.cos_a;
         w.h0 = (real)o->h0[i];
@@ -218,13 +217,6 @@ static void FN(wave_surfaces)(const struct psc_wave *wave, const struct views *o
 static void FN(wave_views)(const struct psc_wave *wave, const struct views *o, const real *u,
                            const real *v, int distant, struct FN(psc_results) *r)
 {
-    static const enum psc_cap_map maps[KIND_COUNT][3] = {
-        [KIND_CONE] = {PSC_CAP_RADIAL_CONE, 0, PSC_CAP_CONCENTRIC_CONE},
-        [KIND_ELLIPSE] = {PSC_CAP_RADIAL_ELLIPSE, PSC_CAP_PARALLEL_ELLIPSE,
-                          PSC_CAP_CONCENTRIC_ELLIPSE},
-        [KIND_BOTH] = {PSC_CAP_RADIAL_BOTH, PSC_CAP_PARALLEL_BOTH, PSC_CAP_CONCENTRIC_BOTH},
-        [KIND_LUNE] = {PSC_CAP_RADIAL_LUNE, PSC_CAP_PARALLEL_LUNE, PSC_CAP_CONCENTRIC_LUNE},
-    };
     uint32_t index[KIND_COUNT][PSC_BLOCK];
     size_t count[KIND_COUNT] = {0}, i;
     struct FN(psc_cap_points) points;
@@ -246,8 +238,10 @@ static void FN(wave_views)(const struct psc_wave *wave, const struct views *o, c
         }
     for (kind = KIND_CONE; kind < KIND_COUNT; kind++)
         if (count[kind] > 0)
-            FN(wave_kind)(o, u, v, index[kind], count[kind], maps[kind][wave->map], &points,
-                          total, rise);
+            FN(wave_kind)(o, u, v, index[kind], count[kind],
+                          kind == KIND_CONE ? cone_map(wave->map)
+                                            : projected_map(wave->map, REGION_OF_KIND(kind)),
+                          &points, total, rise);
     if (wave->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE)
         FN(wave_projected_directions)(wave, o, &points, r);
     else

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
  * A lobe: everything the maps need to know of one cap seen from one side of a horizon. Built in
- * double (lobe_*.h, *_map.h), handed to float kernels rounded.
+ * double (projected_build.h, *_map.h), handed to float kernels rounded.
  *
  * Symbols follow [UG18]: alpha, beta, and the projected ellipse with its centre x_e = cos alpha
  * cos beta and semi-axes a_x = sin alpha sin beta, a_y = sin alpha. psi is the angle on the
@@ -24,14 +24,14 @@
     X(high)  /* sin(alpha + beta), the height of the highest, or of a lune's middle */      \
     X(total) /* the measure of the whole: steradians, projected ones, or squared lengths */ \
     X(rise)  /* a power of two: pdf is height rise / (total rise), for float's sake */      \
-    /* Radial map: `circle` is the share of the horizon's circle [0, psi_l] in the total, */ \
-    /* `arc` that of the ellipse beyond it. */                                              \
+    /* Radial map: `circle` is the share of the horizon's circle [0, psi_l], `arc` that of  \
+       the ellipse beyond it. */                                                            \
     X(circle) X(arc) X(per_ellipse) X(psi_l) X(m) X(b1) X(c1) X(per_circle)                 \
     /* Radial map of a lune: k = |a_x|, v0 = cos beta - cos alpha, and the start values. */ \
     X(k) X(q2) X(v0) X(layer) X(layer_width) X(a1) X(a2) X(e0) X(q1) X(q2_fit) X(f0) X(f1)  \
     /* Parallel map: chords beyond y_l have the share `whole` of the total. */              \
-    X(whole) X(whole_scale) X(h_l) X(thickness) X(x_m) X(lam) X(mu) X(n) X(p0) X(p1) X(p2)     \
-    /* Area maps: see area_map.h; total_area = 2 pi width. */                          \
+    X(whole) X(whole_scale) X(h_l) X(thickness) X(x_m) X(lam) X(mu) X(n) X(p0) X(p1) X(p2)  \
+    /* Area maps: see area_map.h; total_area = 2 pi width. */                              \
     X(delta) X(gap) X(width) X(visible) X(total_area)
 
 #define PSC_FIELD_F64(name) double name;

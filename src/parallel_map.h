@@ -253,13 +253,13 @@ PSC_LANE void concentric_both_f64(const struct psc_lobe_f64 *l, double u, double
     both_chord_point(l, share, rest, r, side, p);
 }
 
-/* Completes a lobe for the two maps above. Needs the total; q = sqrt(q2). */
+/* Completes a lobe for the maps above. Needs the total; q = sqrt(q2). */
 PSC_LANE void parallel_build(struct psc_lobe_f64 *l, int lune, double q)
 {
     const double sb = ABS(l->sin_b), total = l->total;
     /* cos theta_l = tan beta / tan alpha, from products. */
     const double eta = sb * l->cos_a / (l->sin_a * l->cos_b);
-    double first, shape, p0;
+    double first, shape, bend, p0;
 
     l->thickness = lune ? l->q2 / (l->sin_a * (l->sin_a + sb)) : 1.0 + sb / l->sin_a;
     l->x_m = lune ? twice_atan(q / (l->sin_a * l->cos_b + l->cos_a * sb)) : 0.5 * PSC_PI;
@@ -269,11 +269,10 @@ PSC_LANE void parallel_build(struct psc_lobe_f64 *l, int lune, double q)
     shape = lune ? 3.0 * total / ((sb + 2.0 * l->cos_b) * l->q2 * l->n)
                  : 3.0 * total / (4.0 * l->sin_a * l->sin_a * (sb + 0.4 * l->cos_b) * l->n);
     p0 = rough_cbrt(shape);
-    first = 2.0 * l->sin_a * (lune ? chord_at(l, 1, 0.0, 1.0).length : chord_at(l, 0, 0.0, 1.0).length);
+    first = 2.0 * l->sin_a * chord_at(l, lune, 0.0, 1.0).length;
+    bend = 0.25 * l->x_m * (1.0 / (l->mu + l->x_m) - 1.0 / (l->lam + l->x_m));
     l->p0 = p0;
-    l->p2 = 3.0 * total /
-                (first * (1.0 + 0.25 * l->x_m * (1.0 / (l->mu + l->x_m) - 1.0 / (l->lam + l->x_m)))) -
-            2.0 * l->x_m + p0;
+    l->p2 = 3.0 * total / (first * (1.0 + bend)) - 2.0 * l->x_m + p0;
     l->p1 = l->x_m - p0 - l->p2;
 
     l->whole = 0.0;

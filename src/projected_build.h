@@ -18,7 +18,7 @@ PSC_LANE void projected_base(struct psc_lobe_f64 *l, const struct psc_cap *cap)
     l->cos_b = cap->cos_b;
     l->per_a = 1.0 / cap->sin_a;
     l->q2 = cap->q2;
-    l->h0 = cap->sin_a * cap->sin_a / (1.0 + cap->cos_a);
+    l->h0 = psc_cap_versine(cap);
     l->x_e = cap->cos_a * cap->cos_b;
     l->ome2 = cap->sin_a * cap->sin_a + cb_ca * cb_ca;
     l->del = l->ome2 / (1.0 + l->x_e);
@@ -28,21 +28,26 @@ PSC_LANE void projected_base(struct psc_lobe_f64 *l, const struct psc_cap *cap)
     l->rise = unit_scale(MAX(l->high, cap->sin_b));
 }
 
-PSC_LANE void ellipse_build(struct psc_lobe_f64 *l)
+PSC_LANE void ellipse_build(struct psc_lobe_f64 *l, const struct psc_cap *cap)
 {
+    projected_base(l, cap);
     /* The guard serves the whole hemisphere, where the ends of 0/0 are all 0. */
     l->low = -l->q2 / (l->sin_b * l->cos_a + l->zc + 1e-300);
     l->total = PSC_PI * (l->sin_a * l->sin_a) * l->sin_b;
 }
 
 /* Ellipse and lune: the circle's sector up to psi_l, then the ellipse's. Sums of positive
-   terms. Returns sqrt(q2). */
-PSC_LANE double both_build(struct psc_lobe_f64 *l)
+   terms. A flat lune (see PSC_FLAT_LUNE) counts as beta = 0. Returns sqrt(q2). */
+PSC_LANE double both_build(struct psc_lobe_f64 *l, const struct psc_cap *cap)
 {
-    const double q = SQRT(l->q2), ellipse = l->sin_a * l->sin_a * l->sin_b;
-    const double theta_l = twice_atan(q / (l->sin_a * l->cos_b + l->cos_a * l->sin_b));
-    double psi2, sector;
+    struct psc_cap c = *cap;
+    double q, ellipse, theta_l, psi2, sector;
 
+    c.sin_b = MAX(c.sin_b, 0.0);
+    projected_base(l, &c);
+    q = SQRT(l->q2);
+    ellipse = l->sin_a * l->sin_a * l->sin_b;
+    theta_l = twice_atan(q / (l->sin_a * l->cos_b + l->cos_a * l->sin_b));
     l->v0 = l->q2 / (l->cos_a + l->cos_b);
     l->psi_l = twice_atan(q / (l->cos_a + l->cos_b));
     psi2 = l->psi_l * l->psi_l;
@@ -55,12 +60,12 @@ PSC_LANE double both_build(struct psc_lobe_f64 *l)
 
 /* Lune: at its tip the chord and v are 0, which leaves of both maps' areas the same
    2/3 sin^3 psi_l (N(psi_l) (1 - |sin beta| / sin alpha) - ...). Returns sqrt(q2). */
-PSC_LANE double lune_build(struct psc_lobe_f64 *l)
+PSC_LANE double lune_build(struct psc_lobe_f64 *l, const struct psc_cap *cap)
 {
-    const double q = SQRT(l->q2);
-    const double sine = q / l->cos_b;
+    const double q = SQRT(cap->q2), sine = q / cap->cos_b;
     struct chord tip;
 
+    projected_base(l, cap);
     l->v0 = l->q2 / (l->cos_a + l->cos_b);
     l->psi_l = twice_atan(q / (l->cos_a + l->cos_b));
     l->k = -l->sin_a * l->sin_b;

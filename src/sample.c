@@ -4,9 +4,11 @@
 
 #define PSC_BITS 64
 #include "precision.h"
+#include "input_tmpl.h"
 #include "sample_tmpl.h"
 
 #undef PSC_BITS
 #define PSC_BITS 32
 #include "precision.h"
+#include "input_tmpl.h"
 #include "sample_tmpl.h"

@@ -49,21 +49,6 @@ psc_result FN(psc_invert)(const psc_sampler *sampler, const real direction[3], r
     return FN(invert)(sampler, direction[0], direction[1], direction[2], uv, uv + 1);
 }
 
-static int FN(has)(const FN(psc_input) *input, int components)
-{
-    int c, all = input != NULL;
-
-    for (c = 0; all && c < components; c++)
-        all = input->component[c] != NULL;
-    return all;
-}
-
-static real FN(input)(const FN(psc_input) *input, int component, size_t i)
-{
-    return *(const real *)(const void *)((const char *)input->component[component] +
-                                         (ptrdiff_t)i * input->stride);
-}
-
 static void FN(output)(const FN(psc_output) *output, int component, size_t i, real value)
 {
     if (output->component[component])
@@ -76,7 +61,7 @@ psc_result FN(psc_sample_n)(const psc_sampler *sampler, size_t count, const FN(p
 {
     const psc_result result = psc_check_samples(out, sizeof *out);
 
-    if (!sampler || !FN(has)(uv, 2))
+    if (!sampler || !FN(complete)(uv, 2))
         return PSC_ERROR_NULL_POINTER;
     if (result != PSC_SUCCESS)
         return result;
@@ -93,14 +78,14 @@ psc_result FN(psc_pdf_n)(const psc_sampler *sampler, size_t count,
 {
     size_t i;
 
-    if (!sampler || !FN(has)(direction, 3) || !pdf || !pdf->component[0])
+    if (!sampler || !FN(complete)(direction, 3) || !pdf || !pdf->component[0])
         return PSC_ERROR_NULL_POINTER;
     for (i = 0; i < count; i++)
         FN(output)(pdf, 0, i,
                    sampler->sides == 0
                        ? K(0.0)
-                       : FN(pdf)(sampler, FN(input)(direction, 0, i), FN(input)(direction, 1, i),
-                                 FN(input)(direction, 2, i)));
+                       : FN(pdf)(sampler, FN(element)(direction, 0, i), FN(element)(direction, 1, i),
+                                 FN(element)(direction, 2, i)));
     return sampler->sides == 0 ? PSC_EMPTY : PSC_SUCCESS;
 }
 
@@ -110,7 +95,7 @@ psc_result FN(psc_invert_n)(const psc_sampler *sampler, size_t count,
 {
     size_t i;
 
-    if (!sampler || !FN(has)(direction, 3) || !uv)
+    if (!sampler || !FN(complete)(direction, 3) || !uv)
         return PSC_ERROR_NULL_POINTER;
     if (sampler->sides == 0) {
         if (status)
@@ -120,8 +105,8 @@ psc_result FN(psc_invert_n)(const psc_sampler *sampler, size_t count,
     for (i = 0; i < count; i++) {
         real u = K(0.0), v = K(0.0);
         const psc_result result =
-            FN(invert)(sampler, FN(input)(direction, 0, i), FN(input)(direction, 1, i),
-                       FN(input)(direction, 2, i), &u, &v);
+            FN(invert)(sampler, FN(element)(direction, 0, i), FN(element)(direction, 1, i),
+                       FN(element)(direction, 2, i), &u, &v);
 
         if (result == PSC_SUCCESS) {
             FN(output)(uv, 0, i, u);

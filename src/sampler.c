@@ -112,8 +112,6 @@ psc_result psc_build_numbers(psc_sampler *sampler, const struct psc_shape_row *s
     sampler->map = request->map;
     sampler->facing = request->facing;
     sampler->projected = request->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE;
-    for (i = 0; i < 3; i++)
-        sampler->position[i] = request->position[i];
 
     result = sampler->f64->build(sampler, request, geometry);
     if (result < 0)

@@ -9,17 +9,17 @@
 
 /* The maps of a cap, from spheres and distant lights alike: name, lane function, and whether
    float arithmetic holds its accuracy (1) or the float kernel works in double (0). */
-#define PSC_CAP_MAPS(X)                     \
-    X(RADIAL_CONE, radial_cone, 1)          \
-    X(CONCENTRIC_CONE, concentric_cone, 1)  \
-    X(RADIAL_ELLIPSE, radial_ellipse, 1)    \
-    X(RADIAL_BOTH, radial_both, 1)          \
-    X(RADIAL_LUNE, radial_lune, 0)          \
-    X(PARALLEL_ELLIPSE, parallel_ellipse, 1) \
-    X(PARALLEL_BOTH, parallel_both, 0)      \
-    X(PARALLEL_LUNE, parallel_lune, 0)      \
+#define PSC_CAP_MAPS(X)                          \
+    X(RADIAL_CONE, radial_cone, 1)               \
+    X(CONCENTRIC_CONE, concentric_cone, 1)       \
+    X(RADIAL_ELLIPSE, radial_ellipse, 1)         \
+    X(RADIAL_BOTH, radial_both, 1)               \
+    X(RADIAL_LUNE, radial_lune, 0)               \
+    X(PARALLEL_ELLIPSE, parallel_ellipse, 1)     \
+    X(PARALLEL_BOTH, parallel_both, 0)           \
+    X(PARALLEL_LUNE, parallel_lune, 0)           \
     X(CONCENTRIC_ELLIPSE, concentric_ellipse, 1) \
-    X(CONCENTRIC_BOTH, concentric_both, 0)  \
+    X(CONCENTRIC_BOTH, concentric_both, 0)       \
     X(CONCENTRIC_LUNE, concentric_lune, 0)
 
 #define PSC_CAP_ENUM(name, lane, native) PSC_CAP_##name,
@@ -56,7 +56,6 @@ struct psc_sampler {
     enum psc_facing facing;
     int projected; /* pdf is proportional to the cosine */
 
-    double position[3];
     double total, inverse_total;
 
     /* Of the sphere; a distant light has radius 0 and the distance infinity. */
@@ -83,6 +82,9 @@ struct psc_request {
     const double *normal; /* finite and not zero, or NULL */
 };
 
+/* The size that a description of any version gives itself: newer ones may be longer if what is
+   added is zero. */
+psc_result psc_check_struct(const void *from, size_t size);
 psc_result psc_check_allocator(const psc_allocator *allocator);
 psc_result psc_check_technique(const psc_technique *technique, struct psc_request *request);
 psc_result psc_check_receiver(const psc_receiver *receiver, struct psc_request *request);

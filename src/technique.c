@@ -3,9 +3,7 @@
 #include "sampler.h"
 #include "vector.h"
 
-/* The size that a description of any version gives itself: newer ones may be longer if what is
-   added is zero. */
-static psc_result check_struct(const void *from, size_t size)
+psc_result psc_check_struct(const void *from, size_t size)
 {
     uint32_t given, i;
 
@@ -24,7 +22,7 @@ static psc_result check_struct(const void *from, size_t size)
 
 psc_result psc_check_allocator(const psc_allocator *allocator)
 {
-    const psc_result result = check_struct(allocator, sizeof *allocator);
+    const psc_result result = psc_check_struct(allocator, sizeof *allocator);
 
     if (result != PSC_SUCCESS)
         return result;
@@ -35,7 +33,7 @@ psc_result psc_check_allocator(const psc_allocator *allocator)
 
 psc_result psc_check_technique(const psc_technique *technique, struct psc_request *request)
 {
-    const psc_result result = check_struct(technique, sizeof *technique);
+    const psc_result result = psc_check_struct(technique, sizeof *technique);
 
     if (result != PSC_SUCCESS)
         return result;
@@ -69,7 +67,7 @@ psc_result psc_check_point(uint32_t flags, const double *position, const double 
 
 psc_result psc_check_receiver(const psc_receiver *receiver, struct psc_request *request)
 {
-    const psc_result result = check_struct(receiver, sizeof *receiver);
+    const psc_result result = psc_check_struct(receiver, sizeof *receiver);
 
     return result != PSC_SUCCESS
                ? result
@@ -88,7 +86,7 @@ psc_result psc_check_offer(const struct psc_shape_row *shape, const struct psc_r
 
 psc_result psc_check_samples(const void *samples, size_t size)
 {
-    const psc_result result = check_struct(samples, size);
+    const psc_result result = psc_check_struct(samples, size);
     uint32_t head[2];
 
     if (result != PSC_SUCCESS)

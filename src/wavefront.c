@@ -4,11 +4,13 @@
 
 #define PSC_BITS 64
 #include "precision.h"
+#include "input_tmpl.h"
 #include "results_tmpl.h"
 #include "wavefront_tmpl.h"
 
 #undef PSC_BITS
 #define PSC_BITS 32
 #include "precision.h"
+#include "input_tmpl.h"
 #include "results_tmpl.h"
 #include "wavefront_tmpl.h"

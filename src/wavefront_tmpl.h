@@ -1,24 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Template: see precision.h. */
 
-static int FN(complete)(const FN(psc_input) *input, int components)
-{
-    int c, all = input != NULL;
-
-    for (c = 0; all && c < components; c++)
-        all = input->component[c] != NULL;
-    return all;
-}
-
 /* n elements of a component, widened. */
 static void FN(widen)(const FN(psc_input) *input, int component, size_t first, size_t n,
                       double *to)
 {
-    const char *at = (const char *)input->component[component] + (ptrdiff_t)first * input->stride;
     size_t i;
 
     for (i = 0; i < n; i++)
-        to[i] = (double)*(const real *)(const void *)(at + (ptrdiff_t)i * input->stride);
+        to[i] = (double)FN(element)(input, component, first + i);
 }
 
 /* Builds and samples element i of the block with the calls for one. */
@@ -63,10 +53,9 @@ static psc_result FN(check_wavefront)(const struct psc_shape_row *shape,
 
     if (result != PSC_SUCCESS)
         return result;
-    if (!receivers)
-        return PSC_ERROR_NULL_POINTER;
-    if (receivers->struct_size != sizeof *receivers)
-        return PSC_ERROR_STRUCT_SIZE;
+    result = psc_check_struct(receivers, sizeof *receivers);
+    if (result != PSC_SUCCESS)
+        return result;
     if (receivers->flags & ~(uint32_t)PSC_RECEIVER_TWO_SIDED)
         return PSC_ERROR_UNKNOWN_FLAG;
     has_normal = receivers->normal.component[0] != NULL;

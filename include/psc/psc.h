@@ -305,7 +305,9 @@ PSC_API psc_result psc_sample_f32(const psc_sampler *sampler, float u, float v,
 
 /**
  * The density with which psc_sample_f64() gives a direction, for multiple importance sampling:
- * exactly 0 outside the support. Checks none of its pointers.
+ * exactly 0 outside the support. At the limb of a sphere sampled by visible area, where the
+ * density of a sample is infinite, it is that of a direction a rounding inside. Checks none of
+ * its pointers.
  * @param direction  unit vector from the receiver
  * @param pdf        receives the density per steradian
  * @return PSC_SUCCESS, or PSC_EMPTY (with pdf 0)
