@@ -68,7 +68,7 @@ BREAKS = [
     ('array field lengthened', 'FCR', [(HEADER, 'float surface[2]', 'float surface[3]')]),
     ('struct aligned otherwise', 'FN', [(HEADER, '} psc_light_sample_f64;',
                                          '} __attribute__((aligned(16))) psc_light_sample_f64;')]),
-    ('storage shrunk', 'F', [(HEADER, 'bytes[8192]', 'bytes[4096]')]),
+    ('storage shrunk', 'F', [(HEADER, 'bytes[16384]', 'bytes[8192]')]),
     ('callback signature changed', 'FCR', [(HEADER, '(*release)(void *user, void *memory)',
                                             '(*release)(void *memory)')]),
     ('constant changed', 'F', [(HEADER, 'PSC_CULLED = 2', 'PSC_CULLED = 4')]),

@@ -19,8 +19,10 @@ static psc_result no_area(const psc_sampler *s, double *value)
     return PSC_ERROR_UNSUPPORTED_TECHNIQUE;
 }
 
+static const char geometry[] = "vs"; /* axis, half-angle */
+
 const struct psc_shape_row psc_shape_cap = {
-    PSC_SHAPE_CAP, PSC_KERNEL_CAP, "vs", 4, {5, 7, 0, 0}, psc_cap_whole_solid_angle,
+    PSC_SHAPE_CAP, PSC_KERNEL_CAP, {5, 7, 0, 0}, psc_cap_whole_solid_angle,
     psc_cap_projected_solid_angle, no_area, psc_cap_pdf, psc_cap_invert};
 
 psc_result psc_build_cap(psc_sampler *sampler, const psc_technique *technique,
@@ -28,7 +30,7 @@ psc_result psc_build_cap(psc_sampler *sampler, const psc_technique *technique,
 {
     const double *const parts[] = {axis, &half_angle};
 
-    return psc_build(sampler, &psc_shape_cap, technique, receiver, parts);
+    return psc_build(sampler, &psc_shape_cap, geometry, technique, receiver, parts);
 }
 
 psc_result psc_cap_sample_n_f64(const psc_technique *technique, size_t count,
@@ -38,7 +40,7 @@ psc_result psc_cap_sample_n_f64(const psc_technique *technique, size_t count,
 {
     const psc_input_f64 *const parts[] = {axis, half_angle};
 
-    return psc_wavefront_f64(&psc_shape_cap, technique, count, receivers, parts, uv, out);
+    return psc_wavefront_f64(&psc_shape_cap, geometry, technique, count, receivers, parts, uv, out);
 }
 
 psc_result psc_cap_sample_n_f32(const psc_technique *technique, size_t count,
@@ -48,7 +50,7 @@ psc_result psc_cap_sample_n_f32(const psc_technique *technique, size_t count,
 {
     const psc_input_f32 *const parts[] = {axis, half_angle};
 
-    return psc_wavefront_f32(&psc_shape_cap, technique, count, receivers, parts, uv, out);
+    return psc_wavefront_f32(&psc_shape_cap, geometry, technique, count, receivers, parts, uv, out);
 }
 
 psc_result psc_cap_solid_angle(double half_angle, double *solid_angle)
@@ -105,7 +107,7 @@ psc_result psc_build_cap_angles(psc_sampler *sampler, const psc_technique *techn
     const double axis[3] = {1.0, 0.0, 0.0}, below = ABS(elevation);
     double versine, sine_d, cosine_d, sine_b;
     psc_result result = psc_build_cap(sampler, technique, &receiver, axis, half_angle);
-    struct psc_cap *cap = &sampler->cap;
+    struct psc_cap *cap = &sampler->cap.seen;
     struct psc_cap_view o;
 
     if (result != PSC_SUCCESS)
@@ -130,7 +132,7 @@ void psc_sample_offset_f64(const psc_sampler *sampler, double u, double v, doubl
 {
     psc_sampler bare = *sampler;
     psc_light_sample_f64 sample;
-    struct psc_side *side = bare.side;
+    struct psc_side *side = bare.cap.side;
     int i;
 
     /* Without the axis, the direction is the offset. */
@@ -144,7 +146,7 @@ void psc_sample_offset_f32(const psc_sampler *sampler, float u, float v, float o
 {
     psc_sampler bare = *sampler;
     psc_light_sample_f32 sample;
-    struct psc_side *side = bare.side;
+    struct psc_side *side = bare.cap.side;
     int i;
 
     for (i = 0; i < 3; i++)

@@ -119,31 +119,31 @@ static inline double projected_side(struct psc_side *side, psc_map map,
     return l->total;
 }
 
-/* Sets up the sides for (projected) solid angle; s->cap is filled. */
+/* Sets up the sides for (projected) solid angle; s->cap.seen is filled. */
 static inline psc_result cap_sides(psc_sampler *s, const struct psc_cap_view *o)
 {
-    s->visibility = s->inside ? PSC_CASE_INSIDE : cap_case(&s->cap, s->facing);
+    s->visibility = s->cap.inside ? PSC_CASE_INSIDE : cap_case(&s->cap.seen, s->facing);
     if (s->visibility == PSC_CASE_EMPTY)
         return PSC_EMPTY;
     if (s->projected) {
-        const double above = projected_side(s->side, s->map, &s->cap, o, 1.0, 1.0);
+        const double above = projected_side(s->cap.side, s->map, &s->cap.seen, o, 1.0, 1.0);
         double second = 0.0;
 
         s->sides = above > 0.0;
         if (s->facing == PSC_FACING_BOTH) {
-            const struct psc_cap below = s->inside ? s->cap : mirrored(&s->cap);
+            const struct psc_cap below = s->cap.inside ? s->cap.seen : mirrored(&s->cap.seen);
 
-            second = projected_side(s->side + s->sides, s->map, &below, o, -1.0,
-                                    s->inside ? -1.0 : 1.0);
+            second = projected_side(s->cap.side + s->sides, s->map, &below, o, -1.0,
+                                    s->cap.inside ? -1.0 : 1.0);
             s->sides += second > 0.0;
         }
         s->total = above + second;
         s->split = above / s->total;
         return s->sides > 0 ? PSC_SUCCESS : PSC_EMPTY;
     }
-    cone_side(s->side, &s->cap, o);
-    s->side[0].lobe.h0 = o->h0;
-    s->side[0].map = cone_map(s->map);
+    cone_side(s->cap.side, &s->cap.seen, o);
+    s->cap.side[0].lobe.h0 = o->h0;
+    s->cap.side[0].map = cone_map(s->map);
     s->sides = 1;
     s->total = 2.0 * PSC_PI * o->h0;
     return PSC_SUCCESS;
@@ -152,27 +152,37 @@ static inline psc_result cap_sides(psc_sampler *s, const struct psc_cap_view *o)
 /* The area maps of a sphere; on its surface the visible part has no area. */
 static inline psc_result area_side(psc_sampler *s, const struct psc_cap_view *o)
 {
-    struct psc_lobe_f64 *l = &s->side[0].lobe;
-    const int visible = s->measure == PSC_MEASURE_VISIBLE_AREA && !s->inside;
+    struct psc_lobe_f64 *l = &s->cap.side[0].lobe;
+    const int visible = s->measure == PSC_MEASURE_VISIBLE_AREA && !s->cap.inside;
 
-    s->visibility = s->inside ? PSC_CASE_INSIDE : cap_case(&o->cap, s->facing);
+    s->visibility = s->cap.inside ? PSC_CASE_INSIDE : cap_case(&o->cap, s->facing);
     if (s->visibility == PSC_CASE_EMPTY || o->power == 0.0)
         return PSC_EMPTY;
-    cone_side(s->side, &o->cap, o);
-    s->side[0].map = s->map == PSC_MAP_RADIAL ? PSC_CAP_RADIAL_AREA : PSC_CAP_CONCENTRIC_AREA;
+    cone_side(s->cap.side, &o->cap, o);
+    s->cap.side[0].map = s->map == PSC_MAP_RADIAL ? PSC_CAP_RADIAL_AREA : PSC_CAP_CONCENTRIC_AREA;
     l->delta = o->distance / o->radius;
     l->gap = o->power / (o->radius * (o->distance + o->radius));
     l->width = visible ? l->gap / l->delta : 2.0;
     l->visible = visible ? 1.0 : 0.0;
     l->total_area = 2.0 * PSC_PI * l->width;
     s->sides = 1;
-    s->total = l->total_area * (s->radius * s->radius);
+    s->total = l->total_area * (s->cap.radius * s->cap.radius);
     return PSC_SUCCESS;
 }
 
 static inline int is_area_measure(psc_measure measure)
 {
     return measure == PSC_MEASURE_AREA || measure == PSC_MEASURE_VISIBLE_AREA;
+}
+
+/* What is left when there is nothing to see: no size, in any measure. */
+static inline void cap_clear(struct psc_cap_light *light)
+{
+    static const struct psc_cap none = {0.0, 0.0, 0.0, 0.0, 0.0};
+
+    light->seen = none;
+    light->inside = 0;
+    light->radius = 0.0;
 }
 
 /* geometry: centre, radius. */
@@ -183,32 +193,35 @@ static inline psc_result sphere_build(psc_sampler *s, const struct psc_request *
     struct psc_cap_view o;
     int i;
 
+    cap_clear(&s->cap);
     if (radius < 0.0)
         return PSC_ERROR_NEGATIVE_SIZE;
-    s->radius = radius;
+    s->cap.radius = radius;
     for (i = 0; i < 3; i++)
-        s->center[i] = geometry[i];
+        s->cap.center[i] = geometry[i];
     if (radius == 0.0)
         return PSC_EMPTY;
     see_sphere(request->position, request->normal, geometry, radius, &o);
     if (!is_finite(o.distance))
         return PSC_ERROR_NOT_FINITE;
-    s->distance = o.distance / o.scale;
-    s->inside = o.power < 0.0;
-    s->cap = o.cap;
-    if (s->inside) {
-        s->slack = -o.power / (o.radius * o.radius);
+    s->cap.distance = o.distance / o.scale;
+    if (o.power < 0.0 && request->one_sided)
+        return PSC_EMPTY;
+    s->cap.inside = o.power < 0.0;
+    s->cap.seen = o.cap;
+    if (s->cap.inside) {
+        s->cap.slack = -o.power / (o.radius * o.radius);
         for (i = 0; i < 3; i++)
-            s->offset[i] = (geometry[i] - request->position[i]) * o.scale / o.radius;
+            s->cap.offset[i] = (geometry[i] - request->position[i]) * o.scale / o.radius;
     }
     if (is_area_measure(s->measure))
         return area_side(s, &o);
-    if (s->inside) {
+    if (s->cap.inside) {
         /* Light everywhere: the frame is that of the horizon, or any. */
         static const double up[3] = {0.0, 0.0, 1.0};
         static const struct psc_cap all = {1.0, 0.0, 1.0, 0.0, 0.0};
 
-        s->cap = all;
+        s->cap.seen = all;
         copy3(request->normal ? o.normal : up, o.normal);
         copy3(o.normal, o.axis);
         perpendicular(o.axis, o.sideways);
@@ -223,7 +236,8 @@ static inline psc_result distant_build(psc_sampler *s, const struct psc_request 
     const double half_angle = geometry[3];
     struct psc_cap_view o;
 
-    s->distance = (double)INFINITY;
+    cap_clear(&s->cap);
+    s->cap.distance = (double)INFINITY;
     if (half_angle < 0.0)
         return PSC_ERROR_NEGATIVE_SIZE;
     if (half_angle > (s->projected ? 0.5 * PSC_PI : PSC_PI))
@@ -233,7 +247,7 @@ static inline psc_result distant_build(psc_sampler *s, const struct psc_request 
     if (half_angle == 0.0)
         return PSC_EMPTY;
     see_cap(request->normal, geometry, half_angle, &o);
-    s->cap = o.cap;
+    s->cap.seen = o.cap;
     return cap_sides(s, &o);
 }
 

@@ -95,7 +95,7 @@ static psc_result FN(cap_sample)(const psc_sampler *s, real u, real v,
 
     if (s->sides == 0)
         return PSC_EMPTY;
-    side = s->side + FN(cap_pick_side)(s, u, &u);
+    side = s->cap.side + FN(cap_pick_side)(s, u, &u);
     out->surface[0] = out->surface[1] = K(0.0);
     switch (side->map) {
 #define CAP_CASE(name, lane, native)                                 \
@@ -298,8 +298,8 @@ static void FN(cap_sample_n)(const psc_sampler *s, size_t count, const FN(psc_in
         FN(gather)(uv->component[0], uv->stride, first, n, u);
         FN(gather)(uv->component[1], uv->stride, first, n, v);
         if (s->sides == 1) {
-            FN(cap_blocks)[s->side[0].map](s->side, n, u, v, &points);
-            FN(cap_finish)(s, s->side, n, &points, surface, &results);
+            FN(cap_blocks)[s->cap.side[0].map](s->cap.side, n, u, v, &points);
+            FN(cap_finish)(s, s->cap.side, n, &points, surface, &results);
             FN(scatter_values)(out, &results, first, NULL, NULL, n);
             FN(scatter_status)(&out->status, results.status, first, NULL, n);
         } else {
@@ -315,8 +315,8 @@ static void FN(cap_sample_n)(const psc_sampler *s, size_t count, const FN(psc_in
                 index[k][part[k]++] = (uint32_t)i;
             }
             for (k = 0; k < 2; k++) {
-                FN(cap_blocks)[s->side[k].map](s->side + k, part[k], pu[k], pv[k], &points);
-                FN(cap_finish)(s, s->side + k, part[k], &points, surface, &results);
+                FN(cap_blocks)[s->cap.side[k].map](s->cap.side + k, part[k], pu[k], pv[k], &points);
+                FN(cap_finish)(s, s->cap.side + k, part[k], &points, surface, &results);
                 FN(scatter_values)(out, &results, first, NULL, index[k], part[k]);
                 FN(scatter_status)(&out->status, results.status, first, index[k], part[k]);
             }

@@ -25,21 +25,21 @@ psc_result psc_cap_projected_solid_angle(const psc_sampler *s, double *value)
 {
     if (s->facing == PSC_FACING_NONE)
         return PSC_ERROR_NEEDS_NORMAL;
-    if (s->cap.cos_a < 0.0)
+    if (s->cap.seen.cos_a < 0.0)
         return PSC_ERROR_HALF_ANGLE;
-    *value = s->inside            ? PSC_PI * (s->facing == PSC_FACING_BOTH ? 2.0 : 1.0)
-             : s->cap.sin_a > 0.0 ? psc_cap_projected(&s->cap, s->facing == PSC_FACING_BOTH)
+    *value = s->cap.inside            ? PSC_PI * (s->facing == PSC_FACING_BOTH ? 2.0 : 1.0)
+             : s->cap.seen.sin_a > 0.0 ? psc_cap_projected(&s->cap.seen, s->facing == PSC_FACING_BOTH)
                                   : 0.0;
     return *value > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
 }
 
 psc_result psc_cap_whole_solid_angle(const psc_sampler *s, double *value)
 {
-    const int no_size = s->cap.sin_a == 0.0 && s->cap.cos_a == 0.0;
+    const int no_size = s->cap.seen.sin_a == 0.0 && s->cap.seen.cos_a == 0.0;
 
-    *value = s->inside ? 4.0 * PSC_PI
+    *value = s->cap.inside ? 4.0 * PSC_PI
              : no_size ? 0.0
-                       : 2.0 * PSC_PI * psc_cap_versine(&s->cap);
+                       : 2.0 * PSC_PI * psc_cap_versine(&s->cap.seen);
     return *value > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
 }
 
@@ -71,18 +71,18 @@ static int look(const struct psc_side *side, const double direction[3], double s
 /* The point of the sphere that is seen, for the area maps: w of area_map.h. */
 static double seen_w(const psc_sampler *s, const double direction[3], const struct seen *d)
 {
-    const struct psc_lobe_f64 *l = &s->side[0].lobe;
+    const struct psc_lobe_f64 *l = &s->cap.side[0].lobe;
     double cosine, sine2;
 
-    if (s->inside) {
-        const double b = dot(direction, s->offset);
-        const double root = SQRT(s->slack + b * b);
-        const double t = b >= 0.0 ? b + root : s->slack / (root - b);
+    if (s->cap.inside) {
+        const double b = dot(direction, s->cap.offset);
+        const double root = SQRT(s->cap.slack + b * b);
+        const double t = b >= 0.0 ? b + root : s->cap.slack / (root - b);
 
         cosine = l->delta - t * (1.0 - d->h);
         sine2 = t * t * (d->x * d->x + d->y * d->y);
     } else {
-        const double sa = s->cap.sin_a, ca = s->cap.cos_a, h0 = psc_cap_versine(&s->cap);
+        const double sa = s->cap.seen.sin_a, ca = s->cap.seen.cos_a, h0 = psc_cap_versine(&s->cap.seen);
         const double g = SQRT(d->depth * (2.0 * ca + d->depth));
         const double inverse = 1.0 / ((ca + d->depth + g) * sa);
 
@@ -94,13 +94,13 @@ static double seen_w(const psc_sampler *s, const double direction[3], const stru
 
 static int is_area(const psc_sampler *s)
 {
-    return s->side[0].map >= PSC_CAP_RADIAL_AREA;
+    return s->cap.side[0].map >= PSC_CAP_RADIAL_AREA;
 }
 
 /* 1 - cos of the angle that a side's directions reach. */
 static double reach(const psc_sampler *s, const struct psc_side *side)
 {
-    return !is_area(s) ? side->lobe.h0 : s->inside ? 2.0 : psc_cap_versine(&s->cap);
+    return !is_area(s) ? side->lobe.h0 : s->cap.inside ? 2.0 : psc_cap_versine(&s->cap.seen);
 }
 
 /* The side whose support holds the direction, or NULL. */
@@ -110,7 +110,7 @@ static const struct psc_side *find_side(const psc_sampler *s, const double direc
     int i;
 
     for (i = 0; i < s->sides; i++) {
-        const struct psc_side *side = s->side + i;
+        const struct psc_side *side = s->cap.side + i;
 
         if (look(side, direction, stretch, epsilon, reach(s, side), d) &&
             (!s->projected || d->height > 0.0))
@@ -179,6 +179,6 @@ psc_result psc_cap_invert(const psc_sampler *s, const double direction[3], doubl
     for (i = 0; i < 2; i++)
         uv[i] = MIN(MAX(uv[i], 0.0), 1.0);
     if (s->sides == 2)
-        uv[0] = side == s->side ? uv[0] * s->split : 1.0 - uv[0] * (1.0 - s->split);
+        uv[0] = side == s->cap.side ? uv[0] * s->split : 1.0 - uv[0] * (1.0 - s->split);
     return PSC_SUCCESS;
 }

@@ -26,23 +26,23 @@ PSC_LANE void FN(cap_world)(const psc_sampler *s, const struct psc_side *side,
         w->y[i] = (real)side->y[i];
         w->z[i] = (real)side->z[i];
         w->axis[i] = (real)side->axis[i];
-        w->center[i] = (real)s->center[i];
-        w->offset[i] = (real)s->offset[i];
+        w->center[i] = (real)s->cap.center[i];
+        w->offset[i] = (real)s->cap.offset[i];
     }
     w->sin_a = (real)side->lobe.sin_a;
     w->cos_a = (real)side->lobe.cos_a;
     w->h0 = (real)side->lobe.h0;
     w->sin_b = (real)side->lobe.sin_b;
-    w->radius = (real)s->radius;
-    w->distance = (real)s->distance;
-    w->slack = (real)s->slack;
+    w->radius = (real)s->cap.radius;
+    w->distance = (real)s->cap.distance;
+    w->slack = (real)s->cap.slack;
     w->total = (real)s->total;
     w->rise = (real)side->lobe.rise;
     w->inverse_total = (real)(s->inverse_total / side->lobe.rise);
     w->facing = s->facing;
     w->projected = s->projected;
-    w->inside = s->inside;
-    w->distant = s->radius == 0.0;
+    w->inside = s->cap.inside;
+    w->distant = s->cap.radius == 0.0;
 }
 
 /* The cosine that counts; without a normal there is none, and 1 stands for it. */

@@ -4,17 +4,35 @@
 
 #include "sampler.h"
 
-#define DECLARE(isa)                                          \
-    extern const struct psc_kernel_f32 psc_kernels_f32_##isa[]; \
-    extern const struct psc_kernel_f64 psc_kernels_f64_##isa[];
-#define VARIANT(isa) {#isa, psc_kernels_f32_##isa, psc_kernels_f64_##isa}
+#define DECLARE_SHAPE(isa, NAME, name)                             \
+    extern const struct psc_kernel_f32 psc_kernel_##name##_f32_##isa; \
+    extern const struct psc_kernel_f64 psc_kernel_##name##_f64_##isa;
+#define ROW_F32(isa, NAME, name) &psc_kernel_##name##_f32_##isa,
+#define ROW_F64(isa, NAME, name) &psc_kernel_##name##_f64_##isa,
+#define VARIANT(isa) {#isa, runs_##isa, {PSC_SHAPES(ROW_F32, isa)}, {PSC_SHAPES(ROW_F64, isa)}}
 
-DECLARE(base)
+/* Exactly the features that meson.build compiles the variants for. */
+PSC_SHAPES(DECLARE_SHAPE, base)
+static int runs_base(void)
+{
+    return 1;
+}
+
 #if defined(PSC_HAVE_AVX2)
-DECLARE(avx2)
+PSC_SHAPES(DECLARE_SHAPE, avx2)
+static int runs_avx2(void)
+{
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+}
 #endif
+
 #if defined(PSC_HAVE_AVX512)
-DECLARE(avx512)
+PSC_SHAPES(DECLARE_SHAPE, avx512)
+static int runs_avx512(void)
+{
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma");
+}
 #endif
 
 const struct psc_variant psc_variants[] = {
@@ -28,28 +46,13 @@ const struct psc_variant psc_variants[] = {
 };
 const unsigned psc_variant_count = sizeof psc_variants / sizeof *psc_variants;
 
-/* Exactly the features that meson.build compiles the variant for. */
-int psc_variant_runs(unsigned variant)
-{
-#if defined(PSC_HAVE_AVX2)
-    if (psc_variants[variant].f64 == psc_kernels_f64_avx2)
-        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-#endif
-#if defined(PSC_HAVE_AVX512)
-    if (psc_variants[variant].f64 == psc_kernels_f64_avx512)
-        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-               __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma");
-#endif
-    return variant == 0;
-}
-
 const struct psc_variant *psc_dispatch(void)
 {
     static atomic_uint cached; /* 0: not known yet; every thread would find the same */
     unsigned v = atomic_load_explicit(&cached, memory_order_relaxed);
 
     if (v == 0) {
-        for (v = psc_variant_count; !psc_variant_runs(v - 1); v--)
+        for (v = psc_variant_count; !psc_variants[v - 1].runs(); v--)
             ;
         atomic_store_explicit(&cached, v, memory_order_relaxed);
     }

@@ -17,8 +17,6 @@ size_t psc_sampler_align(void)
 
 void psc_clear(psc_sampler *sampler)
 {
-    static const struct psc_cap none = {0.0, 0.0, 0.0, 0.0, 0.0};
-
     /* With no side, the rest is never read. */
     sampler->shape = NULL;
     sampler->measure = 0;
@@ -26,10 +24,7 @@ void psc_clear(psc_sampler *sampler)
     sampler->visibility = PSC_CASE_EMPTY;
     sampler->facing = PSC_FACING_NONE;
     sampler->sides = 0;
-    sampler->inside = 0;
     sampler->total = 0.0;
-    sampler->radius = 0.0;
-    sampler->cap = none;
 }
 
 psc_result psc_sampler_init(void *memory, size_t size, psc_sampler **out)
@@ -44,8 +39,8 @@ psc_result psc_sampler_init(void *memory, size_t size, psc_sampler **out)
     if (size < sizeof(psc_sampler) || (uintptr_t)memory % _Alignof(psc_sampler) != 0)
         return PSC_ERROR_STORAGE;
     memset(sampler, 0, sizeof *sampler);
-    sampler->f32 = psc_dispatch()->f32;
-    sampler->f64 = psc_dispatch()->f64;
+    sampler->f32 = psc_dispatch()->f32[0];
+    sampler->f64 = psc_dispatch()->f64[0];
     *out = sampler;
     return PSC_SUCCESS;
 }
@@ -102,11 +97,11 @@ psc_result psc_build_numbers(psc_sampler *sampler, const struct psc_shape_row *s
     int i;
 
     psc_clear(sampler);
-    for (i = 0; i < shape->numbers; i++)
+    for (i = 0; i < request->numbers; i++)
         if (!is_finite(geometry[i]))
             return PSC_ERROR_NOT_FINITE;
-    sampler->f32 = kernels->f32 + shape->kernel;
-    sampler->f64 = kernels->f64 + shape->kernel;
+    sampler->f32 = kernels->f32[shape->kernel];
+    sampler->f64 = kernels->f64[shape->kernel];
     sampler->shape = shape;
     sampler->measure = request->measure;
     sampler->map = request->map;
@@ -127,7 +122,7 @@ psc_result psc_build_numbers(psc_sampler *sampler, const struct psc_shape_row *s
     return result;
 }
 
-psc_result psc_build(psc_sampler *sampler, const struct psc_shape_row *shape,
+psc_result psc_build(psc_sampler *sampler, const struct psc_shape_row *shape, const char *kinds,
                      const psc_technique *technique, const psc_receiver *receiver,
                      const double *const parts[])
 {
@@ -141,14 +136,15 @@ psc_result psc_build(psc_sampler *sampler, const struct psc_shape_row *shape,
     result = psc_check_technique(technique, &request);
     if (result == PSC_SUCCESS)
         result = psc_check_receiver(receiver, &request);
-    for (i = 0; shape->parts[i] && result == PSC_SUCCESS; i++) {
-        const int numbers = shape->parts[i] == 'v' ? 3 : 1;
+    for (i = 0; kinds[i] && result == PSC_SUCCESS; i++) {
+        const int numbers = kinds[i] == 'v' ? 3 : 1;
 
         if (!parts[i])
             result = PSC_ERROR_NULL_POINTER;
         for (k = 0; parts[i] && k < numbers; k++)
             geometry[n++] = parts[i][k];
     }
+    request.numbers = n;
     if (result == PSC_SUCCESS)
         result = psc_check_offer(shape, &request);
     if (result == PSC_SUCCESS)

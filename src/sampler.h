@@ -5,37 +5,8 @@
 
 #include <psc/psc.h>
 
-#include "lobe.h"
-
-/* The maps of a cap, from spheres and distant lights alike: name, lane function, and whether
-   float arithmetic holds its accuracy (1) or the float kernel works in double (0). */
-#define PSC_CAP_MAPS(X)                          \
-    X(RADIAL_CONE, radial_cone, 1)               \
-    X(CONCENTRIC_CONE, concentric_cone, 1)       \
-    X(RADIAL_ELLIPSE, radial_ellipse, 1)         \
-    X(RADIAL_BOTH, radial_both, 1)               \
-    X(RADIAL_LUNE, radial_lune, 0)               \
-    X(PARALLEL_ELLIPSE, parallel_ellipse, 1)     \
-    X(PARALLEL_BOTH, parallel_both, 0)           \
-    X(PARALLEL_LUNE, parallel_lune, 0)           \
-    X(CONCENTRIC_ELLIPSE, concentric_ellipse, 1) \
-    X(CONCENTRIC_BOTH, concentric_both, 0)       \
-    X(CONCENTRIC_LUNE, concentric_lune, 0)
-
-#define PSC_CAP_ENUM(name, lane, native) PSC_CAP_##name,
-enum psc_cap_map {
-    PSC_CAP_MAPS(PSC_CAP_ENUM)
-    PSC_CAP_RADIAL_AREA,
-    PSC_CAP_CONCENTRIC_AREA
-};
-#undef PSC_CAP_ENUM
-
-/* The part of a light above one side of the receiver's plane, and the frame of its lobe. */
-struct psc_side {
-    struct psc_lobe_f64 lobe;
-    double x[3], y[3], z[3], axis[3];
-    enum psc_cap_map map;
-};
+#include "cap_side.h"
+#include "shapes.h"
 
 /* What becomes of a cosine: none without a normal, one side, or both sides of the plane. */
 enum psc_facing { PSC_FACING_NONE, PSC_FACING_ONE, PSC_FACING_BOTH };
@@ -58,16 +29,13 @@ struct psc_sampler {
 
     double total, inverse_total;
 
-    /* Of the sphere; a distant light has radius 0 and the distance infinity. */
-    double center[3], radius, distance;
-    int inside;
-    double offset[3], slack; /* for a receiver inside, in radii: of the centre, and
-                                radius^2 - distance^2 */
+    int sides;    /* 0, 1 or 2: parts of the light that u selects from; 0 when it is empty */
+    double split; /* share of u of the first side */
 
-    struct psc_cap cap; /* for the totals in other measures */
-    int sides;          /* 0, 1 or 2 */
-    double split;       /* share of u of the first side */
-    struct psc_side side[2];
+    /* By family. */
+    union {
+        struct psc_cap_light cap;
+    };
 };
 
 _Static_assert(sizeof(struct psc_sampler) <= sizeof(psc_sampler_storage), "storage too small");
@@ -80,6 +48,8 @@ struct psc_request {
     enum psc_facing facing;
     const double *position;
     const double *normal; /* finite and not zero, or NULL */
+    int one_sided;        /* whether the light leaves its surface on one side only */
+    int numbers;          /* of the geometry */
 };
 
 /* The size that a description of any version gives itself: newer ones may be longer if what is
@@ -107,18 +77,18 @@ static inline void psc_fill_status(const psc_output_result *to, size_t count, ps
         psc_put_status(to, i, status);
 }
 
-#define PSC_MAX_GEOMETRY 4
+/* Numbers of a shape's geometry. */
+#define PSC_MAX_GEOMETRY 48
 
-/* The shapes that have kernels. */
-enum psc_kernel_index { PSC_KERNEL_SPHERE, PSC_KERNEL_CAP, PSC_KERNEL_COUNT };
+#define PSC_INDEX(from, NAME, name) PSC_KERNEL_##NAME,
+enum psc_kernel_index { PSC_SHAPES(PSC_INDEX, ) PSC_KERNEL_COUNT };
+#undef PSC_INDEX
 
 /* What a shape supplies: the row that stands for it everywhere. */
 struct psc_shape_row {
     psc_shape shape;
     enum psc_kernel_index kernel;
-    const char *parts; /* of its geometry: v for a vector, s for a scalar */
-    int numbers;       /* in all of them, at most PSC_MAX_GEOMETRY */
-    uint32_t maps[4];  /* by measure: a bit 1 << map for each map that is offered */
+    uint32_t maps[4]; /* by measure: a bit 1 << map for each map that is offered */
     psc_result (*solid_angle)(const psc_sampler *sampler, double *value);
     psc_result (*projected_solid_angle)(const psc_sampler *sampler, double *value);
     psc_result (*area)(const psc_sampler *sampler, double *value);
@@ -128,7 +98,9 @@ struct psc_shape_row {
                          double uv[2]);
 };
 
-extern const struct psc_shape_row psc_shape_sphere, psc_shape_cap;
+#define PSC_DECLARE(from, NAME, name) extern const struct psc_shape_row psc_shape_##name;
+PSC_SHAPES(PSC_DECLARE, )
+#undef PSC_DECLARE
 
 /* Whether the shape offers the technique to this receiver. */
 psc_result psc_check_offer(const struct psc_shape_row *shape, const struct psc_request *request);
@@ -140,32 +112,40 @@ void psc_clear(psc_sampler *sampler);
 psc_result psc_build_numbers(psc_sampler *sampler, const struct psc_shape_row *shape,
                              const struct psc_request *request, const double *geometry);
 
-/* Builds any shape from pointers to its parts: what the public build calls are. */
-psc_result psc_build(psc_sampler *sampler, const struct psc_shape_row *shape,
+/* Builds any shape from pointers to the parts of its geometry: what the public build calls are.
+   kinds has a letter for each part, v for a vector, s for a scalar. */
+psc_result psc_build(psc_sampler *sampler, const struct psc_shape_row *shape, const char *kinds,
                      const psc_technique *technique, const psc_receiver *receiver,
                      const double *const parts[]);
 
 /* Builds and samples any shape for each element: what the public wavefront calls are. */
-psc_result psc_wavefront_f64(const struct psc_shape_row *shape, const psc_technique *technique,
-                             size_t count, const psc_receivers_f64 *receivers,
+psc_result psc_wavefront_f64(const struct psc_shape_row *shape, const char *kinds,
+                             const psc_technique *technique, size_t count,
+                             const psc_receivers_f64 *receivers,
                              const psc_input_f64 *const parts[], const psc_input_f64 *uv,
                              const psc_samples_f64 *out);
-psc_result psc_wavefront_f32(const struct psc_shape_row *shape, const psc_technique *technique,
-                             size_t count, const psc_receivers_f32 *receivers,
+psc_result psc_wavefront_f32(const struct psc_shape_row *shape, const char *kinds,
+                             const psc_technique *technique, size_t count,
+                             const psc_receivers_f32 *receivers,
                              const psc_input_f32 *const parts[], const psc_input_f32 *uv,
                              const psc_samples_f32 *out);
 
 /* ---- Kernels: per shape, precision and instruction set ---- */
 
 #define PSC_BLOCK 128
+#define PSC_WAVE_NUMBERS (12 * PSC_BLOCK)
 
-/* The inputs of a block of a wavefront, one array per number. */
+/* The inputs of a block of a wavefront, one array per number. Blocks of shapes that have more
+   than 12 numbers are shorter. */
 struct psc_wave {
     double position[3][PSC_BLOCK], normal[3][PSC_BLOCK];
-    double geometry[PSC_MAX_GEOMETRY][PSC_BLOCK];
+    double *geometry[PSC_MAX_GEOMETRY]; /* into numbers */
+    double numbers[PSC_WAVE_NUMBERS];
     psc_measure measure;
     psc_map map;
     enum psc_facing facing;
+    int one_sided;
+    int parts; /* numbers of the geometry */
     size_t count;
     int surface; /* whether point, normal, distance or surface are wanted */
 };
@@ -217,16 +197,14 @@ struct psc_kernel_f32 {
 /* The kernels of an instruction set, by psc_kernel_index. */
 struct psc_variant {
     const char *name;
-    const struct psc_kernel_f32 *f32;
-    const struct psc_kernel_f64 *f64;
+    int (*runs)(void); /* whether this CPU does */
+    const struct psc_kernel_f32 *f32[PSC_KERNEL_COUNT];
+    const struct psc_kernel_f64 *f64[PSC_KERNEL_COUNT];
 };
 
 /* Every variant that was compiled, the base first. */
 extern const struct psc_variant psc_variants[];
 extern const unsigned psc_variant_count;
-/* Whether this CPU runs a variant. */
-int psc_variant_runs(unsigned variant);
-
 /* The best that this CPU runs. */
 const struct psc_variant *psc_dispatch(void);
 

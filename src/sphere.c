@@ -5,12 +5,14 @@
 
 static psc_result area(const psc_sampler *s, double *value)
 {
-    *value = 4.0 * PSC_PI * (s->radius * s->radius);
+    *value = 4.0 * PSC_PI * (s->cap.radius * s->cap.radius);
     return *value > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
 }
 
+static const char geometry[] = "vs"; /* center, radius */
+
 const struct psc_shape_row psc_shape_sphere = {
-    PSC_SHAPE_SPHERE, PSC_KERNEL_SPHERE, "vs", 4, {5, 7, 5, 5}, psc_cap_whole_solid_angle,
+    PSC_SHAPE_SPHERE, PSC_KERNEL_SPHERE, {5, 7, 5, 5}, psc_cap_whole_solid_angle,
     psc_cap_projected_solid_angle, area, psc_cap_pdf, psc_cap_invert};
 
 psc_result psc_build_sphere(psc_sampler *sampler, const psc_technique *technique,
@@ -18,7 +20,7 @@ psc_result psc_build_sphere(psc_sampler *sampler, const psc_technique *technique
 {
     const double *const parts[] = {center, &radius};
 
-    return psc_build(sampler, &psc_shape_sphere, technique, receiver, parts);
+    return psc_build(sampler, &psc_shape_sphere, geometry, technique, receiver, parts);
 }
 
 psc_result psc_sphere_sample_n_f64(const psc_technique *technique, size_t count,
@@ -28,7 +30,7 @@ psc_result psc_sphere_sample_n_f64(const psc_technique *technique, size_t count,
 {
     const psc_input_f64 *const parts[] = {center, radius};
 
-    return psc_wavefront_f64(&psc_shape_sphere, technique, count, receivers, parts, uv, out);
+    return psc_wavefront_f64(&psc_shape_sphere, geometry, technique, count, receivers, parts, uv, out);
 }
 
 psc_result psc_sphere_sample_n_f32(const psc_technique *technique, size_t count,
@@ -38,7 +40,7 @@ psc_result psc_sphere_sample_n_f32(const psc_technique *technique, size_t count,
 {
     const psc_input_f32 *const parts[] = {center, radius};
 
-    return psc_wavefront_f32(&psc_shape_sphere, technique, count, receivers, parts, uv, out);
+    return psc_wavefront_f32(&psc_shape_sphere, geometry, technique, count, receivers, parts, uv, out);
 }
 
 psc_result psc_sphere_solid_angle(const double position[3], const double center[3],

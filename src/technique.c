@@ -41,10 +41,11 @@ psc_result psc_check_technique(const psc_technique *technique, struct psc_reques
         return PSC_ERROR_UNKNOWN_MEASURE;
     if (technique->map > PSC_MAP_CONCENTRIC)
         return PSC_ERROR_UNKNOWN_MAP;
-    if (technique->flags != 0)
+    if (technique->flags & ~(uint32_t)PSC_TECHNIQUE_ONE_SIDED)
         return PSC_ERROR_UNKNOWN_FLAG;
     request->measure = technique->measure;
     request->map = technique->map;
+    request->one_sided = (technique->flags & PSC_TECHNIQUE_ONE_SIDED) != 0;
     return PSC_SUCCESS;
 }
 

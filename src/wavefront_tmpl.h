@@ -27,7 +27,9 @@ static void FN(build_and_sample)(const struct psc_shape_row *shape, uint32_t fla
 
     request.measure = wave->measure;
     request.map = wave->map;
-    for (c = 0; c < PSC_MAX_GEOMETRY; c++)
+    request.one_sided = wave->one_sided;
+    request.numbers = wave->parts;
+    for (c = 0; c < wave->parts; c++)
         geometry[c] = wave->geometry[c][i];
     r->status[i] = psc_check_point(
         flags, position, wave->facing == PSC_FACING_NONE ? NULL : normal, &request);
@@ -41,7 +43,7 @@ static void FN(build_and_sample)(const struct psc_shape_row *shape, uint32_t fla
         r->value[c][i] = flat[c];
 }
 
-static psc_result FN(check_wavefront)(const struct psc_shape_row *shape,
+static psc_result FN(check_wavefront)(const struct psc_shape_row *shape, const char *kinds,
                                       const psc_technique *technique,
                                       const FN(psc_receivers) *receivers,
                                       const FN(psc_input) *const parts[],
@@ -62,9 +64,14 @@ static psc_result FN(check_wavefront)(const struct psc_shape_row *shape,
     if (!FN(complete)(&receivers->position, 3) || !FN(complete)(uv, 2) ||
         (has_normal && !FN(complete)(&receivers->normal, 3)))
         return PSC_ERROR_NULL_POINTER;
-    for (p = 0; shape->parts[p]; p++)
-        if (!FN(complete)(parts[p], shape->parts[p] == 'v' ? 3 : 1))
+    request->numbers = 0;
+    for (p = 0; kinds[p]; p++) {
+        const int numbers = kinds[p] == 'v' ? 3 : 1;
+
+        if (!FN(complete)(parts[p], numbers))
             return PSC_ERROR_NULL_POINTER;
+        request->numbers += numbers;
+    }
     request->facing = !has_normal                                  ? PSC_FACING_NONE
                       : receivers->flags & PSC_RECEIVER_TWO_SIDED ? PSC_FACING_BOTH
                                                                   : PSC_FACING_ONE;
@@ -72,12 +79,13 @@ static psc_result FN(check_wavefront)(const struct psc_shape_row *shape,
     return result != PSC_SUCCESS ? result : psc_check_offer(shape, request);
 }
 
-psc_result FN(psc_wavefront)(const struct psc_shape_row *shape, const psc_technique *technique,
-                             size_t count, const FN(psc_receivers) *receivers,
+psc_result FN(psc_wavefront)(const struct psc_shape_row *shape, const char *kinds,
+                             const psc_technique *technique, size_t count,
+                             const FN(psc_receivers) *receivers,
                              const FN(psc_input) *const parts[], const FN(psc_input) *uv,
                              const FN(psc_samples) *out)
 {
-    const struct FN(psc_kernel) *kernel = psc_dispatch()->KERNEL + shape->kernel;
+    const struct FN(psc_kernel) *kernel = psc_dispatch()->KERNEL[shape->kernel];
     real u[PSC_BLOCK], v[PSC_BLOCK];
     struct FN(psc_results) results;
     struct psc_request request;
@@ -85,9 +93,10 @@ psc_result FN(psc_wavefront)(const struct psc_shape_row *shape, const psc_techni
     psc_sampler_storage storage;
     psc_sampler *sampler;
     struct psc_wave wave;
-    size_t first, i;
+    size_t first, i, block;
+    int k;
     const psc_result result =
-        FN(check_wavefront)(shape, technique, receivers, parts, uv, out, &request);
+        FN(check_wavefront)(shape, kinds, technique, receivers, parts, uv, out, &request);
 
     if (result != PSC_SUCCESS)
         return result;
@@ -96,9 +105,14 @@ psc_result FN(psc_wavefront)(const struct psc_shape_row *shape, const psc_techni
     wave.measure = request.measure;
     wave.map = request.map;
     wave.facing = request.facing;
+    wave.one_sided = request.one_sided;
+    wave.parts = request.numbers;
+    block = MIN(PSC_BLOCK, PSC_WAVE_NUMBERS / (size_t)request.numbers);
+    for (k = 0; k < request.numbers; k++)
+        wave.geometry[k] = wave.numbers + (size_t)k * block;
     wave.surface = FN(wants_surface)(out);
     for (first = 0; first < count; first += wave.count) {
-        const size_t n = MIN(count - first, PSC_BLOCK);
+        const size_t n = MIN(count - first, block);
         size_t good = 0;
         int p, c, number = 0;
 
@@ -108,8 +122,8 @@ psc_result FN(psc_wavefront)(const struct psc_shape_row *shape, const psc_techni
             if (wave.facing != PSC_FACING_NONE)
                 FN(widen)(&receivers->normal, c, first, n, wave.normal[c]);
         }
-        for (p = 0; shape->parts[p]; p++)
-            for (c = 0; c < (shape->parts[p] == 'v' ? 3 : 1); c++)
+        for (p = 0; kinds[p]; p++)
+            for (c = 0; c < (kinds[p] == 'v' ? 3 : 1); c++)
                 FN(widen)(parts[p], c, first, n, wave.geometry[number++]);
         FN(gather)(uv->component[0], uv->stride, first, n, u);
         FN(gather)(uv->component[1], uv->stride, first, n, v);

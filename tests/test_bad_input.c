@@ -257,7 +257,7 @@ static void techniques(const struct shape *shape)
         in.technique.map = bad[i] - 1;
         expect_input(shape, "unknown map", &in, PSC_ERROR_UNKNOWN_MAP);
         good_input(&in, PSC_MEASURE_SOLID_ANGLE);
-        in.technique.flags = bad[i];
+        in.technique.flags = bad[i] & ~(uint32_t)PSC_TECHNIQUE_ONE_SIDED;
         expect_input(shape, "unknown technique flag", &in, PSC_ERROR_UNKNOWN_FLAG);
         in.technique.flags = 0;
         in.receiver.flags = bad[i];

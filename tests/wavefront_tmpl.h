@@ -220,7 +220,7 @@ static void FN(refusals)(int distant)
     technique = make_technique(PSC_MEASURE_SOLID_ANGLE, 9);
     REFUSED(PSC_ERROR_UNKNOWN_MAP, &technique, 1, &receivers, &in, &in, &in, &out.samples);
     technique = good;
-    technique.flags = 1;
+    technique.flags = 2;
     REFUSED(PSC_ERROR_UNKNOWN_FLAG, &technique, 1, &receivers, &in, &in, &in, &out.samples);
     technique = make_technique(PSC_MEASURE_SOLID_ANGLE, PSC_MAP_PARALLEL);
     REFUSED(PSC_ERROR_UNSUPPORTED_TECHNIQUE, &technique, 1, &receivers, &in, &in, &in,

@@ -101,7 +101,11 @@ enum {
     PSC_ERROR_UNKNOWN_FLAG = -12,
     PSC_ERROR_UNSUPPORTED_TECHNIQUE = -13,
     PSC_ERROR_NEEDS_NORMAL = -14,
-    PSC_ERROR_UNKNOWN_VERSION = -15
+    PSC_ERROR_UNKNOWN_VERSION = -15,
+    PSC_ERROR_VERTEX_COUNT = -16,
+    PSC_ERROR_NOT_PLANAR = -17,
+    PSC_ERROR_NOT_CONVEX = -18,
+    PSC_ERROR_NOT_RECTANGLE = -19
 };
 
 /** What a result means, in words; never NULL, also for numbers that mean nothing. @since 0.1 */
@@ -159,8 +163,15 @@ typedef struct psc_technique {
     uint32_t struct_size; /**< sizeof(psc_technique) */
     psc_measure measure;
     psc_map map;
-    uint32_t flags; /**< 0: none are defined yet */
+    uint32_t flags; /**< 0 or PSC_TECHNIQUE_ONE_SIDED */
 } psc_technique;
+
+enum {
+    /** The light leaves its surface on the side of its outward normal only: receivers behind a
+        flat light, or inside a closed one, see nothing (PSC_EMPTY). Otherwise both sides shine.
+        Distant lights always face the receiver. */
+    PSC_TECHNIQUE_ONE_SIDED = 1
+};
 
 enum {
     /** Light counts on both sides of the receiver's tangent plane: the cosine is |n . w|. */
@@ -184,7 +195,7 @@ typedef struct psc_sampler psc_sampler;
 typedef union psc_sampler_storage {
     double align_double;
     void *align_pointer;
-    unsigned char bytes[8192];
+    unsigned char bytes[16384];
 } psc_sampler_storage;
 
 /** Where psc_sampler_create() gets its memory. */
@@ -506,10 +517,20 @@ PSC_API psc_result psc_cap_sample_n_f32(const psc_technique *technique, size_t c
 /** The shape a sampler was built for. */
 typedef uint32_t psc_shape;
 
-enum { PSC_SHAPE_NONE = 0, PSC_SHAPE_SPHERE = 1, PSC_SHAPE_CAP = 2 };
+enum {
+    PSC_SHAPE_NONE = 0,
+    PSC_SHAPE_SPHERE = 1,
+    PSC_SHAPE_CAP = 2,
+    PSC_SHAPE_DISK = 3,
+    PSC_SHAPE_ELLIPSE = 4,
+    PSC_SHAPE_ELLIPSOID = 5,
+    PSC_SHAPE_TRIANGLE = 6,
+    PSC_SHAPE_RECTANGLE = 7,
+    PSC_SHAPE_POLYGON = 8
+};
 
-/** How the light lies to the horizon of the receiver; the names are those of [UG18], after the
-    outline of the light's projection on the receiver's tangent plane. */
+/** How the light lies to the horizon of the receiver; for spheres and caps the names are those of
+    [UG18], after the outline of the light's projection on the receiver's tangent plane. */
 typedef uint32_t psc_case;
 
 enum {
@@ -518,7 +539,9 @@ enum {
     PSC_CASE_ELLIPSE_AND_LUNE = 2, /**< partly below, its centre above or on the horizon */
     PSC_CASE_LUNE = 3,             /**< partly below, its centre too */
     PSC_CASE_INSIDE = 4,           /**< the receiver is inside the light */
-    PSC_CASE_NO_HORIZON = 5        /**< the receiver has no normal */
+    PSC_CASE_NO_HORIZON = 5,       /**< the receiver has no normal */
+    PSC_CASE_ABOVE = 6,            /**< other shapes: wholly above the horizon */
+    PSC_CASE_CLIPPED = 7           /**< other shapes: partly below */
 };
 
 /** What a sampler is. */

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * The kernels of a family of shapes, NAME_kernel.c, are compiled once per precision and
+ * instruction set (PSC_REAL_BITS, PSC_ISA). Each object exports one table per shape, written with
+ * PSC_KERNEL below, and calls nothing outside itself, so that no code for a newer CPU can be
+ * reached from an older one.
+ */
+#ifndef PSC_SRC_KERNEL_TMPL_H
+#define PSC_SRC_KERNEL_TMPL_H
+
+#include "sampler.h"
+
+#define PSC_KERNEL_TABLE_2(name, bits, isa) psc_kernel_##name##_f##bits##_##isa
+#define PSC_KERNEL_TABLE_1(name, bits, isa) PSC_KERNEL_TABLE_2(name, bits, isa)
+#define PSC_KERNEL_TABLE(name) PSC_KERNEL_TABLE_1(name, PSC_REAL_BITS, PSC_ISA)
+
+/* The build works in double and serves both precisions: it stands in the table of doubles. */
+#if PSC_REAL_BITS == 64
+#define PSC_KERNEL(name, sample, sample_n, wave, build)        \
+    extern const struct psc_kernel_f64 PSC_KERNEL_TABLE(name); \
+    const struct psc_kernel_f64 PSC_KERNEL_TABLE(name) = {sample, sample_n, wave, build}
+#else
+#define PSC_KERNEL(name, sample, sample_n, wave, build)        \
+    extern const struct psc_kernel_f32 PSC_KERNEL_TABLE(name); \
+    const struct psc_kernel_f32 PSC_KERNEL_TABLE(name) = {sample, sample_n, wave}
+#endif
+
+#endif
