@@ -16,6 +16,7 @@
 #endif
 
 #include "results_tmpl.h"
+#include "sides_tmpl.h"
 #include "cap_kernel_tmpl.h"
 #include "cap_wave_tmpl.h"
 

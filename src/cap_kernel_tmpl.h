@@ -7,23 +7,6 @@
 
 /* ---- One sample ---- */
 
-/* The side that u falls to, and u within it: both sides have u = 0 inside and meet at 1, on the
-   horizon. */
-PSC_LANE int FN(cap_pick_side)(const psc_sampler *s, real u, real *within)
-{
-    const real first = (real)s->split, second = (real)(1.0 - s->split);
-    int i;
-
-    if (s->sides == 1) {
-        *within = u;
-        return 0;
-    }
-    i = u >= first && second > K(0.0); /* a second side may be less than rounding */
-    u = i ? (K(1.0) - u) / second : u / first;
-    *within = MIN(u, K(1.0));
-    return i;
-}
-
 #if PSC_REAL_BITS == 64
 #define CAP_LOBE(side) ((side)->lobe)
 #define CAP_NATIVE(native, lane, l, wide, u, v, p) lane##_f64(l, u, v, p)
@@ -95,7 +78,7 @@ static psc_result FN(cap_sample)(const psc_sampler *s, real u, real v,
 
     if (s->sides == 0)
         return PSC_EMPTY;
-    side = s->cap.side + FN(cap_pick_side)(s, u, &u);
+    side = s->cap.side + FN(pick_side)(s, u, &u);
     out->surface[0] = out->surface[1] = K(0.0);
     switch (side->map) {
 #define CAP_CASE(name, lane, native)                                 \
@@ -264,62 +247,28 @@ static void FN(cap_surfaces)(const struct FN(psc_cap_world) *w, size_t n,
             FN(cap_surface)(w, direction, p->x[i], p->y[i], p->z[i],
                             FN(cap_depth)(w, p->height[i], p->power[i], p->across[i]), point, normal,
                             &distance);
-        FN(store_surface)(r, i, point, normal, distance);
+        FN(store_surface)(r, i, point, normal, distance, K(0.0), K(0.0));
     }
 }
 
-/* The results of a block of points on one side. */
-static void FN(cap_finish)(const psc_sampler *s, const struct psc_side *side, size_t n,
-                           const struct FN(psc_cap_points) *p, int surface,
-                           struct FN(psc_results) *r)
+static void FN(cap_side_block)(const psc_sampler *s, int k, size_t n, const real *u,
+                               const real *v, int surface, struct FN(psc_results) *r)
 {
+    const struct psc_side *side = s->cap.side + k;
     const int area = side->map >= PSC_CAP_RADIAL_AREA;
+    struct FN(psc_cap_points) points;
     struct FN(psc_cap_world) w;
 
+    FN(cap_blocks)[side->map](side, n, u, v, &points);
     FN(cap_world)(s, side, &w);
-    FN(cap_directions)(&w, n, p, r);
-    FN(cap_densities)(&w, n, p, area, r);
+    FN(cap_directions)(&w, n, &points, r);
+    FN(cap_densities)(&w, n, &points, area, r);
     if (surface)
-        FN(cap_surfaces)(&w, n, p, area, r);
+        FN(cap_surfaces)(&w, n, &points, area, r);
 }
 
 static void FN(cap_sample_n)(const psc_sampler *s, size_t count, const FN(psc_input) *uv,
                              const FN(psc_samples) *out)
 {
-    const int surface = FN(wants_surface)(out);
-    real u[PSC_BLOCK], v[PSC_BLOCK], pu[2][PSC_BLOCK], pv[2][PSC_BLOCK];
-    struct FN(psc_cap_points) points;
-    struct FN(psc_results) results;
-    uint32_t index[2][PSC_BLOCK];
-    size_t first, n, i;
-
-    for (first = 0; first < count; first += n) {
-        n = MIN(count - first, PSC_BLOCK);
-        FN(gather)(uv->component[0], uv->stride, first, n, u);
-        FN(gather)(uv->component[1], uv->stride, first, n, v);
-        if (s->sides == 1) {
-            FN(cap_blocks)[s->cap.side[0].map](s->cap.side, n, u, v, &points);
-            FN(cap_finish)(s, s->cap.side, n, &points, surface, &results);
-            FN(scatter_values)(out, &results, first, NULL, NULL, n);
-            FN(scatter_status)(&out->status, results.status, first, NULL, n);
-        } else {
-            size_t part[2] = {0, 0};
-            int k;
-
-            for (i = 0; i < n; i++) {
-                real within;
-
-                k = FN(cap_pick_side)(s, u[i], &within);
-                pu[k][part[k]] = within;
-                pv[k][part[k]] = v[i];
-                index[k][part[k]++] = (uint32_t)i;
-            }
-            for (k = 0; k < 2; k++) {
-                FN(cap_blocks)[s->cap.side[k].map](s->cap.side + k, part[k], pu[k], pv[k], &points);
-                FN(cap_finish)(s, s->cap.side + k, part[k], &points, surface, &results);
-                FN(scatter_values)(out, &results, first, NULL, index[k], part[k]);
-                FN(scatter_status)(&out->status, results.status, first, index[k], part[k]);
-            }
-        }
-    }
+    FN(sample_sides)(s, count, uv, out, FN(cap_side_block));
 }

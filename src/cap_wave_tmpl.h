@@ -209,7 +209,7 @@ static void FN(wave_surfaces)(const struct psc_wave *wave, const struct views *o
         FN(cap_surface)(&w, direction, p->x[i], p->y[i], p->z[i],
                         FN(cap_depth)(&w, p->height[i], p->power[i], p->across[i]), point, normal,
                         &distance);
-        FN(store_surface)(r, i, point, normal, distance);
+        FN(store_surface)(r, i, point, normal, distance, K(0.0), K(0.0));
     }
 }
 

@@ -17,9 +17,9 @@ PSC_LANE void FN(gather)(const real *from, ptrdiff_t stride, size_t first, size_
         to[i] = *(const real *)(const void *)(at + (ptrdiff_t)i * stride);
 }
 
-/* Element i of what a hit on the light decides; the surface coordinates of round lights are 0. */
+/* Element i of what a hit on the light decides. */
 PSC_LANE void FN(store_surface)(struct FN(psc_results) *r, size_t i, const real point[3],
-                                const real normal[3], real distance)
+                                const real normal[3], real distance, real first, real second)
 {
     int c;
 
@@ -28,7 +28,8 @@ PSC_LANE void FN(store_surface)(struct FN(psc_results) *r, size_t i, const real 
         r->value[PSC_NORMAL + c][i] = normal[c];
     }
     r->value[PSC_DISTANCE][i] = distance;
-    r->value[PSC_SURFACE][i] = r->value[PSC_SURFACE + 1][i] = K(0.0);
+    r->value[PSC_SURFACE][i] = first;
+    r->value[PSC_SURFACE + 1][i] = second;
 }
 
 /* Writes the values from[at[i]] to the elements first + index[i]; an index that is NULL stands
