@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* What a receiver sees of a polygon: its vertices, and its edges as they are in world space. */
+#ifndef PSC_SRC_POLYGON_VIEW_H
+#define PSC_SRC_POLYGON_VIEW_H
+
+#include "vector.h"
+
+enum { PSC_MAX_VERTICES = 16 };
+
+/* A polygon as the receiver sees it: vertex + low is vertex minus receiver, exact but for the
+   last word's rounding, times scale, the power of two that brings the largest coordinate into
+   [1,2). */
+struct psc_polygon_view {
+    int count;
+    double vertex[PSC_MAX_VERTICES][3], low[PSC_MAX_VERTICES][3];
+    double scale;
+};
+
+/* vertices: count times three coordinates. */
+PSC_LANE void see_polygon(const double position[3], int count, const double *vertices,
+                          struct psc_polygon_view *o)
+{
+    double size = 0.0;
+    int i, c;
+
+    o->count = count;
+    for (i = 0; i < count; i++) {
+        for (c = 0; c < 3; c++)
+            two_sum(vertices[3 * i + c], -position[c], &o->vertex[i][c], &o->low[i][c]);
+        size = MAX(size, largest(o->vertex[i]));
+    }
+    o->scale = unit_scale(size);
+    for (i = 0; i < count; i++)
+        for (c = 0; c < 3; c++) {
+            o->vertex[i][c] *= o->scale;
+            o->low[i][c] *= o->scale;
+        }
+}
+
+/* The difference of two vertices, to - from, in units of the view: high + low is exact but for
+   the last word's rounding, however far the receiver. */
+PSC_LANE void edge_of(const double from[3], const double to[3], double scale, double high[3],
+                      double low[3])
+{
+    int c;
+
+    for (c = 0; c < 3; c++) {
+        two_sum(to[c], -from[c], &high[c], &low[c]);
+        high[c] *= scale;
+        low[c] *= scale;
+    }
+}
+
+#endif
