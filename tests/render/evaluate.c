@@ -4,15 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-const technique_row techniques[TECHNIQUES] = {
-    {"solid angle", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL},
-    {"projected, radial", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_RADIAL},
-    {"projected, parallel", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_PARALLEL},
-    {"projected, concentric", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_CONCENTRIC},
-};
-
 /* Pictures are kept at 1 and 4 samples; at these, times are medians. */
-enum { PICTURES = 2, COLUMNS = TECHNIQUES + 1, REPEATS = 32 };
+enum { PICTURES = 2, REPEATS = 32 };
 static const unsigned pictured[PICTURES] = {1, 4};
 
 /* An unoccluded estimate is the sum of totals rounded to float, each right within this. */
@@ -21,13 +14,15 @@ static const double rounding = 0x1p-23;
 typedef struct evaluation {
     const options *options;
     scene scene;
+    const technique_row *techniques;
+    unsigned technique_count;
     frame frame;
     irradiance reference, light, other;
     double uncertainty; /* of the reference: its own RMS error, from its two halves */
     curve curves[TECHNIQUES];
     double deviation[TECHNIQUES]; /* worst relative one from form factors */
     double singly[TECHNIQUES];    /* seconds of one sample a pixel by single calls */
-    panel panels[PICTURES * COLUMNS];
+    panel panels[PICTURES * (TECHNIQUES + 1)]; /* rows of technique_count + 1 */
     double done, work;
     unsigned failures;
 } evaluation;
@@ -46,7 +41,7 @@ static void fail(evaluation *e, const char *words)
 
 static sampling sample_with(const evaluation *e, unsigned technique, unsigned count)
 {
-    const technique_row *row = &techniques[technique];
+    const technique_row *row = &e->techniques[technique];
     return (sampling){.technique = {sizeof(psc_technique), row->measure, row->map, 0},
                       .set = e->options->set,
                       .seed = e->options->seed,
@@ -143,15 +138,16 @@ static double worst_deviation(const evaluation *e, unsigned count)
 
 static void keep_panel(evaluation *e, unsigned row, unsigned column, double rms, const char *name)
 {
-    panel *p = &e->panels[row * COLUMNS + column];
+    panel *p = &e->panels[row * (e->technique_count + 1) + column];
     const unsigned count = pictured[row];
+    const int sampled = column < e->technique_count;
     const char *digits = rms < 1e-4 ? "RMS %.1e" : "RMS %.4f";
 
     *p = (panel){.width = e->frame.width, .height = e->frame.height};
     memcpy(p->crops, e->scene.crops, sizeof p->crops);
-    p->pixels = picture_make(&e->frame, column < TECHNIQUES ? e->light : e->reference,
-                             column < TECHNIQUES ? count : LAYERS);
-    if (column == TECHNIQUES) {
+    p->pixels = picture_make(&e->frame, sampled ? e->light : e->reference,
+                             sampled ? count : LAYERS);
+    if (!sampled) {
         snprintf(p->heading, sizeof p->heading, "%s", name);
         return;
     }
@@ -169,7 +165,7 @@ static void render(evaluation *e, unsigned count, unsigned row)
     const unsigned repeats = row < PICTURES ? e->options->repeat : 1;
 
     for (unsigned r = 0; r < repeats; ++r)
-        for (unsigned t = 0; t < TECHNIQUES; ++t) {
+        for (unsigned t = 0; t < e->technique_count; ++t) {
             const sampling how = sample_with(e, t, count);
             seconds[t][r] = shade(&e->frame, &how, e->light);
             advance(e, count);
@@ -180,19 +176,19 @@ static void render(evaluation *e, unsigned count, unsigned row)
             c->seconds[c->count] = median(seconds[t], repeats);
             c->rms[c->count] = picture_rms(&e->frame, e->light, e->reference, count, NULL);
             if (row < PICTURES)
-                keep_panel(e, row, t, c->rms[c->count], techniques[t].name);
+                keep_panel(e, row, t, c->rms[c->count], e->techniques[t].name);
             if (e->scene.open)
                 e->deviation[t] = fmax(e->deviation[t], worst_deviation(e, count));
             ++c->count;
         }
     if (row < PICTURES)
-        keep_panel(e, row, TECHNIQUES, 0, "reference");
+        keep_panel(e, row, e->technique_count, 0, "reference");
 }
 
 /* The same by one build call and one sample call a point: the same bits, at another price. */
 static void render_singly(evaluation *e)
 {
-    for (unsigned t = 0; t < TECHNIQUES; ++t) {
+    for (unsigned t = 0; t < e->technique_count; ++t) {
         sampling how = sample_with(e, t, 1);
         shade(&e->frame, &how, e->light);
         how.singly = 1;
@@ -224,7 +220,7 @@ static void print_table(evaluation *e)
     printf("  spp  %-22s %9s %9s %9s  %8s %6s %9s %9s\n", "sampling", "RMS error", "seconds",
            "ns/sample", "RMS", "time", "effic.", "RMS*");
     for (unsigned row = 0; row < PICTURES; ++row)
-        for (unsigned t = 0; t < TECHNIQUES; ++t) {
+        for (unsigned t = 0; t < e->technique_count; ++t) {
             const curve *c = &e->curves[t];
             unsigned i = 0;
             size_t samples = 0;
@@ -236,20 +232,20 @@ static void print_table(evaluation *e)
             const double rms = c->rms[i] / base->rms[i], time = c->seconds[i] / base->seconds[i];
             const double equal = c->rms[i] / baseline_rms(base, time * pictured[row]);
             printf("  %3u  %-22s %9.3g %9.4f %9.0f  %8.3g %6.2f %9.3g %9.3g\n", pictured[row],
-                   techniques[t].name, c->rms[i], c->seconds[i],
+                   e->techniques[t].name, c->rms[i], c->seconds[i],
                    1e9 * c->seconds[i] / (double)samples, rms, time, 1 / (rms * rms * time), equal);
             if (t > 0 && !(rms < 1))
                 fail(e, "more error than solid angle at equal samples");
         }
     printf("  by single calls, 1 spp, seconds:");
-    for (unsigned t = 0; t < TECHNIQUES; ++t)
-        printf("%s %s %.3f", t ? "," : "", techniques[t].name, e->singly[t]);
+    for (unsigned t = 0; t < e->technique_count; ++t)
+        printf("%s %s %.3f", t ? "," : "", e->techniques[t].name, e->singly[t]);
     printf("\n");
     if (!e->scene.open)
         return;
-    for (unsigned t = 1; t < TECHNIQUES; ++t) {
-        printf("  %s: worst relative deviation from the form factors %.2g\n", techniques[t].name,
-               e->deviation[t]);
+    for (unsigned t = 1; t < e->technique_count; ++t) {
+        printf("  %s: worst relative deviation from the form factors %.2g\n",
+               e->techniques[t].name, e->deviation[t]);
         if (!(e->deviation[t] <= rounding))
             fail(e, "not noise-free to rounding");
     }
@@ -262,11 +258,11 @@ static void write_pictures(const evaluation *e)
 
     snprintf(title, sizeof title, "%s: RMS error against %s", e->scene.title,
              e->scene.open ? "form factors, which are exact here" : "a converged reference");
-    sheet_write(path, title, e->panels, PICTURES, COLUMNS);
+    sheet_write(path, title, e->panels, PICTURES, e->technique_count + 1);
     printf("  wrote %s: 1 and 4 samples a pixel, every technique beside the reference\n", path);
     if (!e->scene.open) {
         path = output_path(e->options, e->scene.name, "-rms.png");
-        chart_write(path, e->scene.title, e->curves, TECHNIQUES);
+        chart_write(path, e->scene.title, e->curves, e->technique_count);
         printf("  wrote %s: error against samples and against time\n", path);
     }
 }
@@ -277,15 +273,17 @@ unsigned evaluate(const options *o, int number, panel gallery[GALLERY])
 
     e->options = o;
     scene_make(&e->scene, number);
+    e->techniques = e->scene.comparison->row;
+    e->technique_count = e->scene.comparison->count;
     frame_make(&e->frame, &e->scene, o->width, o->threads);
     e->reference = allocate(hit_count(e), sizeof *e->reference);
     e->light = allocate(hit_count(e), sizeof *e->light);
     e->other = allocate(hit_count(e), sizeof *e->other);
-    for (unsigned t = 0; t < TECHNIQUES; ++t)
-        e->curves[t].name = techniques[t].name;
-    e->work = LAYERS * o->reference + 2 * TECHNIQUES;
+    for (unsigned t = 0; t < e->technique_count; ++t)
+        e->curves[t].name = e->techniques[t].name;
+    e->work = LAYERS * o->reference + 2 * e->technique_count;
     for (unsigned n = 1; n <= o->samples; n *= 2)
-        e->work += TECHNIQUES * n * (n == 1 || n == 4 ? o->repeat : 1);
+        e->work += e->technique_count * n * (n == 1 || n == 4 ? o->repeat : 1);
 
     printf("\n%s\n  %u x %u pixels, %zu light%s\n", e->scene.title, e->frame.width,
            e->frame.height, e->scene.light_count, e->scene.light_count > 1 ? "s" : "");
@@ -296,7 +294,7 @@ unsigned evaluate(const options *o, int number, panel gallery[GALLERY])
     print_table(e);
     write_pictures(e);
 
-    for (unsigned i = 0; i < PICTURES * COLUMNS; ++i)
+    for (unsigned i = 0; i < PICTURES * (e->technique_count + 1); ++i)
         if (i < GALLERY)
             gallery[i] = e->panels[i];
         else

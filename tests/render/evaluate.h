@@ -7,7 +7,7 @@
 
 #include <stdio.h>
 
-enum { TECHNIQUES = 4, GALLERY = 2 };
+enum { GALLERY = 2 };
 
 typedef struct options {
     unsigned width, reference, samples, repeat, threads;
@@ -15,15 +15,6 @@ typedef struct options {
     point_set set;
     const char *output;
 } options;
-
-typedef struct technique_row {
-    const char *name;
-    psc_measure measure;
-    psc_map map;
-} technique_row;
-
-/* Solid angle first, which all others are compared with. */
-extern const technique_row techniques[TECHNIQUES];
 
 /* Renders scene number 0 to SCENE_COUNT - 1 into output, prints its table, and hands out its
    panels for solid angle and for projected solid angle at one sample a pixel (pixels owned by

@@ -1,26 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* The scenes: rectangles and balls, lit by spheres or by a distant sun. */
+/* The scenes: rectangles and balls, lit by lights of any shape. */
 #ifndef SCENE_H
 #define SCENE_H
 
-#include <math.h>
+#include "light.h"
+
 #include <stddef.h>
 #include <stdint.h>
-
-typedef struct vec3 {
-    float x, y, z;
-} vec3;
-
-static inline vec3 add(vec3 a, vec3 b) { return (vec3){a.x + b.x, a.y + b.y, a.z + b.z}; }
-static inline vec3 sub(vec3 a, vec3 b) { return (vec3){a.x - b.x, a.y - b.y, a.z - b.z}; }
-static inline vec3 mul(vec3 a, vec3 b) { return (vec3){a.x * b.x, a.y * b.y, a.z * b.z}; }
-static inline vec3 scale(vec3 a, float s) { return (vec3){a.x * s, a.y * s, a.z * s}; }
-static inline float dot(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-static inline vec3 unit(vec3 a) { return scale(a, 1 / sqrtf(dot(a, a))); }
-static inline vec3 cross(vec3 a, vec3 b)
-{
-    return (vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 /* A rectangle; u and v are its edges divided by their squared lengths. */
 typedef struct quad {
@@ -34,21 +20,28 @@ typedef struct ball {
     vec3 albedo;
 } ball;
 
-/* A diffuse emitter: a sphere, or a cap of directions at infinity. Lights do not occlude. */
-typedef struct emitter {
-    int distant;
-    vec3 center;  /* axis, if distant */
-    float radius; /* half-angle, if distant */
-    vec3 radiance;
-} emitter;
-
 /* A square cut-out, as fractions of the picture's width and height. */
 typedef struct cutout {
     float x, y, width;
 } cutout;
 
+/* How lights are sampled. */
+typedef struct technique_row {
+    const char *name;
+    psc_measure measure;
+    psc_map map;
+} technique_row;
+
+/* What a scene compares; solid angle first, which all others are compared with. */
+enum { TECHNIQUES = 6 };
+typedef struct comparison {
+    unsigned count;
+    technique_row row[TECHNIQUES];
+} comparison;
+
 typedef struct scene {
     const char *name, *title;
+    const comparison *comparison;
     int open;              /* nothing comes between any point and any light */
     float aspect;          /* width / height */
     vec3 eye, forward, right, up;
@@ -57,7 +50,7 @@ typedef struct scene {
     cutout crops[2];
     quad quads[160];
     ball balls[40];
-    emitter lights[4];
+    emitter lights[4];     /* they do not occlude */
     size_t quad_count, ball_count, light_count;
 } scene;
 

@@ -98,8 +98,6 @@ static void sample_tile(const psc_technique *technique, const hit *hits, size_t 
         .struct_size = sizeof receivers,
         .position = {{&hits->position.x, &hits->position.y, &hits->position.z}, sizeof *hits},
         .normal = {{&hits->normal.x, &hits->normal.y, &hits->normal.z}, sizeof *hits}};
-    const psc_input_f32 center = {{&l->center.x, &l->center.y, &l->center.z}, 0};
-    const psc_input_f32 radius = {{&l->radius}, 0};
     const psc_input_f32 uv = {{t->u, t->v}, sizeof(float)};
     const psc_samples_f32 out = {.struct_size = sizeof out,
                                  .direction = {{t->x, t->y, t->z}, sizeof(float)},
@@ -107,9 +105,7 @@ static void sample_tile(const psc_technique *technique, const hit *hits, size_t 
                                  .weight = {{t->weight}, sizeof(float)},
                                  .status = {t->status, sizeof(psc_result)}};
 
-    check_result((l->distant ? psc_cap_sample_n_f32 : psc_sphere_sample_n_f32)(
-                     technique, count, &receivers, &center, &radius, &uv, &out),
-                 "sampling a tile");
+    check_result(light_sample_n(l, technique, count, &receivers, &uv, &out), "sampling a tile");
 }
 
 static void sample_singly(const psc_technique *technique, const hit *hits, size_t count,
@@ -117,7 +113,6 @@ static void sample_singly(const psc_technique *technique, const hit *hits, size_
 {
     psc_sampler_storage storage;
     psc_sampler *sampler;
-    const double center[3] = {l->center.x, l->center.y, l->center.z};
 
     check_result(psc_sampler_init(&storage, sizeof storage, &sampler), "making a sampler");
     for (size_t i = 0; i < count; ++i) {
@@ -126,8 +121,7 @@ static void sample_singly(const psc_technique *technique, const hit *hits, size_
         const psc_receiver receiver = {sizeof receiver, 0, position, normal};
         psc_light_sample_f32 sample;
 
-        t->status[i] = (l->distant ? psc_build_cap : psc_build_sphere)(
-            sampler, technique, &receiver, center, l->radius);
+        t->status[i] = light_build(l, sampler, technique, &receiver);
         if (t->status[i] != PSC_SUCCESS)
             continue;
         t->status[i] = psc_sample_f32(sampler, t->u[i], t->v[i], &sample);
@@ -191,11 +185,8 @@ static void shade_tile_exactly(const job *j, size_t begin, size_t count)
         const psc_receiver receiver = {sizeof receiver, 0, position, normal};
         for (size_t k = 0; k < s->light_count; ++k) {
             const emitter *l = &s->lights[k];
-            const double center[3] = {l->center.x, l->center.y, l->center.z};
             double factor;
-            check_result((l->distant ? psc_cap_form_factor : psc_sphere_form_factor)(
-                             &receiver, center, l->radius, &factor),
-                         "form factor");
+            check_result(light_form_factor(l, &receiver, &factor), "form factor");
             j->light[m][0] += PI * factor * l->radiance.x;
             j->light[m][1] += PI * factor * l->radiance.y;
             j->light[m][2] += PI * factor * l->radiance.z;

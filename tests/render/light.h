@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Diffuse emitters of every shape that the library has: a new one is a row of a table. */
+#ifndef LIGHT_H
+#define LIGHT_H
+
+#include "vec3.h"
+
+#include <psc/psc.h>
+
+/* Numbers in the order in which the library takes them: vectors, of which the last may be a
+   scalar instead. */
+enum { LIGHT_NUMBERS = 48 };
+
+typedef struct emitter {
+    const struct light_shape *shape;
+    unsigned count; /* of the numbers */
+    float number[LIGHT_NUMBERS];
+    vec3 radiance;
+} emitter;
+
+/* What the renderer asks of a shape. */
+typedef struct light_shape {
+    const char *name;
+    psc_result (*build)(psc_sampler *sampler, const psc_technique *technique,
+                        const psc_receiver *receiver, const double *number, size_t vectors);
+    psc_result (*sample_n)(const psc_technique *technique, size_t count,
+                           const psc_receivers_f32 *receivers, const psc_input_f32 *part,
+                           size_t vectors, const psc_input_f32 *uv, const psc_samples_f32 *out);
+    psc_result (*form_factor)(const psc_receiver *receiver, const double *number, size_t vectors,
+                              double *form_factor);
+    /* Where a ray meets the light first: a distance, infinite if nowhere. */
+    float (*meet)(const float *number, size_t vectors, vec3 origin, vec3 direction);
+} light_shape;
+
+extern const light_shape light_sphere, light_cap;
+
+/* The calls above for an emitter. */
+psc_result light_build(const emitter *l, psc_sampler *sampler, const psc_technique *technique,
+                       const psc_receiver *receiver);
+psc_result light_sample_n(const emitter *l, const psc_technique *technique, size_t count,
+                          const psc_receivers_f32 *receivers, const psc_input_f32 *uv,
+                          const psc_samples_f32 *out);
+psc_result light_form_factor(const emitter *l, const psc_receiver *receiver, double *form_factor);
+float light_meet(const emitter *l, vec3 origin, vec3 direction);
+
+/* Where a ray meets a ball first, or leaves it from inside; infinite if nowhere. */
+float meet_ball(vec3 center, float radius, vec3 origin, vec3 direction);
+
+#endif
