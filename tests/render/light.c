@@ -1,47 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "light.h"
-
-/* ---- Rays -------------------------------------------------------------------------------- */
-
-static inline vec3 vector(const float *number, size_t i)
-{
-    return (vec3){number[3 * i], number[3 * i + 1], number[3 * i + 2]};
-}
-
-/* The nearer meeting point, or the farther one from inside. The discriminant is formed from the
-   vector across the ray, which keeps its digits for the big balls [Haines 2019]. */
-float meet_ball(vec3 center, float radius, vec3 origin, vec3 direction)
-{
-    const vec3 to_center = sub(center, origin);
-    const float along = dot(to_center, direction);
-    const vec3 across = sub(to_center, scale(direction, along));
-    const float half = radius * radius - dot(across, across);
-    if (half < 0)
-        return INFINITY;
-    const float chord = sqrtf(half);
-    return along - chord > 0 ? along - chord : along + chord > 0 ? along + chord : INFINITY;
-}
-
-static float sphere_meet(const float *number, size_t vectors, vec3 origin, vec3 direction)
-{
-    (void)vectors;
-    return meet_ball(vector(number, 0), number[3], origin, direction);
-}
-
-/* Far away, but nearer than where there is nothing at all. */
-static float cap_meet(const float *number, size_t vectors, vec3 origin, vec3 direction)
-{
-    (void)vectors;
-    (void)origin;
-    return dot(vector(number, 0), direction) > cosf(number[3]) ? 1e30f : INFINITY;
-}
+#include "light_geometry.h"
 
 /* ---- The library's calls, shape by shape --------------------------------------------------- */
 
 /* numbers and parts are what the calls of this shape take of the doubles n and of the inputs p;
    v is the number of vectors. */
 #define UNPACK(...) __VA_ARGS__
-#define LIGHT_SHAPE(shape, numbers, parts)                                                      \
+#define LIGHT_SHAPE(shape, numbers, parts, edge)                                                  \
     static psc_result shape##_build(psc_sampler *sampler, const psc_technique *technique,       \
                                     const psc_receiver *receiver, const double *n, size_t v)    \
     {                                                                                           \
@@ -63,10 +28,10 @@ static float cap_meet(const float *number, size_t vectors, vec3 origin, vec3 dir
         return psc_##shape##_form_factor(receiver, UNPACK numbers, form_factor);                \
     }                                                                                           \
     const light_shape light_##shape = {#shape, shape##_build, shape##_sample_n,                 \
-                                       shape##_form_factor, shape##_meet};
+                                       shape##_form_factor, shape##_meet, edge};
 
-LIGHT_SHAPE(sphere, (n, n[3]), (p, p + 1))
-LIGHT_SHAPE(cap, (n, n[3]), (p, p + 1))
+LIGHT_SHAPE(sphere, (n, n[3]), (p, p + 1), NULL)
+LIGHT_SHAPE(cap, (n, n[3]), (p, p + 1), cap_outline)
 
 /* ---- Any shape ----------------------------------------------------------------------------- */
 

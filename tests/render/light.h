@@ -7,6 +7,13 @@
 
 #include <psc/psc.h>
 
+/* How lights are sampled. */
+typedef struct technique_row {
+    const char *name;
+    psc_measure measure;
+    psc_map map;
+} technique_row;
+
 /* Numbers in the order in which the library takes them: vectors, of which the last may be a
    scalar instead. */
 enum { LIGHT_NUMBERS = 48 };
@@ -30,6 +37,8 @@ typedef struct light_shape {
                               double *form_factor);
     /* Where a ray meets the light first: a distance, infinite if nowhere. */
     float (*meet)(const float *number, size_t vectors, vec3 origin, vec3 direction);
+    /* The point p on the edge, which is closed: t from 0 to 1. NULL for solids. */
+    void (*outline)(const double *number, size_t vectors, double t, double p[3]);
 } light_shape;
 
 extern const light_shape light_sphere, light_cap;

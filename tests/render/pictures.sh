@@ -12,7 +12,7 @@ shrink() {
     convert "$work/$1.png" +dither -colors "$2" -define png:compression-level=9 \
         "png8:$here/pictures/$1.png"
 }
-"$build/tests/render/maps" "$work/maps.png"
+"$build/tests/render/maps" "$work"
 "$build/tests/render/render" --output "$work" --width 224 --repeat 1 --samples 4 \
     cornell cornell-open sun
 shrink gallery 255

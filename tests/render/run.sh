@@ -11,6 +11,6 @@ output=${OUTPUT:-$build/pictures}
 sh "$root/tests/setup.sh" "$build"
 meson compile -C "$build" render maps
 mkdir -p "$output"
-"$build/tests/render/maps" "$output/maps.png"
+"$build/tests/render/maps" "$output"
 "$build/tests/render/render" --output "$output" "$@"
 echo "The pictures are in $output."

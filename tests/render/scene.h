@@ -25,13 +25,6 @@ typedef struct cutout {
     float x, y, width;
 } cutout;
 
-/* How lights are sampled. */
-typedef struct technique_row {
-    const char *name;
-    psc_measure measure;
-    psc_map map;
-} technique_row;
-
 /* What a scene compares; solid angle first, which all others are compared with. */
 enum { TECHNIQUES = 6 };
 typedef struct comparison {
