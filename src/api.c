@@ -46,10 +46,10 @@ psc_result psc_get_api(uint32_t version, void *table, size_t size)
 {
     if (!table)
         return PSC_ERROR_NULL_POINTER;
-    if (version != 1)
-        return PSC_ERROR_UNKNOWN_VERSION;
-    if (size == 0 || size > sizeof api || size % sizeof(void (*)(void)) != 0)
+    if (size == 0 || size % sizeof(void (*)(void)) != 0)
         return PSC_ERROR_STRUCT_SIZE;
+    if (version != 1 || size > sizeof api)
+        return PSC_ERROR_UNKNOWN_VERSION;
     memcpy(table, &api, size);
     return PSC_SUCCESS;
 }

@@ -28,7 +28,8 @@ const char *psc_result_string(psc_result result)
     case PSC_ERROR_UNKNOWN_FLAG: return "a flag is set that means nothing";
     case PSC_ERROR_UNSUPPORTED_TECHNIQUE: return "the shape does not offer this measure or map";
     case PSC_ERROR_NEEDS_NORMAL: return "projected solid angle needs a receiver with a normal";
-    case PSC_ERROR_UNKNOWN_VERSION: return "no function table of this version";
+    case PSC_ERROR_UNKNOWN_VERSION: return "no function table of this version and size: the library is "
+                                           "older than the program";
     case PSC_ERROR_VERTEX_COUNT: return "a polygon has fewer than 3 or more than 16 vertices";
     case PSC_ERROR_NOT_PLANAR: return "the vertices of the polygon are not in one plane";
     case PSC_ERROR_NOT_CONVEX: return "the polygon is not convex";

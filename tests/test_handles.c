@@ -218,10 +218,12 @@ static void table(void)
         tap_ok(ok, "version %lu is unknown", (unsigned long)version[i]);
     }
     memset(bytes, 0xa5, sizeof bytes);
-    ok = psc_get_api(1, bytes, sizeof bytes) == PSC_ERROR_STRUCT_SIZE;
+    ok = psc_get_api(1, bytes, sizeof bytes) == PSC_ERROR_UNKNOWN_VERSION &&
+         psc_get_api(1, bytes, 0) == PSC_ERROR_STRUCT_SIZE &&
+         psc_get_api(1, bytes, sizeof entry + 1) == PSC_ERROR_STRUCT_SIZE;
     for (i = 0; i < sizeof bytes; i++)
         ok &= bytes[i] == 0xa5;
-    tap_ok(ok, "a larger table than there is");
+    tap_ok(ok, "a larger table than there is, none, and parts of functions");
     for (size = sizeof entry; size <= sizeof api; size += sizeof entry) {
         memset(bytes, 0xa5, sizeof bytes);
         ok = psc_get_api(1, bytes, size) == PSC_SUCCESS;

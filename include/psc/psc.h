@@ -673,12 +673,14 @@ typedef struct psc_api_1 {
 } psc_api_1;
 
 /**
- * Fills a table of function pointers: the one name a plugin host needs to look up.
+ * Fills a table of function pointers: the one name a plugin host needs to look up. Every library
+ * gives at least the first two functions, which say what is wrong when it cannot give all.
  * @param version  1
  * @param table    a psc_api_1, of which the first size bytes are written
  * @param size     sizeof(psc_api_1) as the caller knows it
- * @return PSC_SUCCESS; PSC_ERROR_NULL_POINTER; PSC_ERROR_UNKNOWN_VERSION; PSC_ERROR_STRUCT_SIZE
- *         when the caller's header is newer than the library
+ * @return PSC_SUCCESS; PSC_ERROR_NULL_POINTER; PSC_ERROR_STRUCT_SIZE when size is not that of
+ *         whole functions; PSC_ERROR_UNKNOWN_VERSION when the caller's header is newer than the
+ *         library
  * @since 0.1
  */
 PSC_API psc_result psc_get_api(uint32_t version, void *table, size_t size);
