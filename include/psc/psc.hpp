@@ -1,0 +1,355 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/**
+ * @file psc.hpp
+ * psc.h for C++17: lights and receivers as values, samplers that need no care, one name for both
+ * precisions, and views of arrays.
+ *
+ *     psc::sampler sampler;                                             // once per thread
+ *     psc::technique technique(PSC_MEASURE_PROJECTED_SOLID_ANGLE);
+ *     psc_light_sample_f32 s;
+ *
+ *     if (sampler.build(technique, {position, normal}, psc::sphere{center, radius}) == PSC_SUCCESS
+ *         && sampler.sample(u, v, s) == PSC_SUCCESS)
+ *         L += radiance * bsdf * s.weight;
+ *
+ * Everything is inline and no more than a call of psc.h, whose documentation holds: results are
+ * returned, nothing throws, and outputs are left alone where psc.h leaves them alone. What cannot
+ * fail is returned by value.
+ */
+#ifndef PSC_PSC_HPP
+#define PSC_PSC_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <type_traits>
+
+#include <psc/psc.h>
+
+namespace psc {
+
+/** A point or a direction. */
+using vector = std::array<double, 3>;
+
+/* ---- What is asked for ------------------------------------------------------------------ */
+
+/** A psc_technique that knows its size; the default is solid angle, radial. */
+struct technique : psc_technique {
+    explicit technique(psc_measure measure_ = PSC_MEASURE_SOLID_ANGLE,
+                       psc_map map_ = PSC_MAP_RADIAL, std::uint32_t flags_ = 0) noexcept
+        : psc_technique{sizeof(psc_technique), measure_, map_, flags_}
+    {
+    }
+};
+
+/** The point that is lit. */
+struct receiver {
+    vector position;
+    std::optional<vector> normal = {}; /**< none for a point in a volume */
+    std::uint32_t flags = 0;           /**< 0 or PSC_RECEIVER_TWO_SIDED */
+};
+
+/** What psc.h makes of a receiver: it points into r. */
+inline psc_receiver borrow(const receiver &r) noexcept
+{
+    return {sizeof(psc_receiver), r.flags, r.position.data(), r.normal ? r.normal->data() : nullptr};
+}
+
+/* ---- Lights ------------------------------------------------------------------------------- */
+
+/** See psc_build_sphere(). */
+struct sphere {
+    vector center;
+    double radius;
+};
+
+/** See psc_build_cap(). */
+struct cap {
+    vector axis;
+    double half_angle;
+};
+
+/** Builds the sampler of a light, whichever it is. */
+inline psc_result build(psc_sampler *sampler, const psc_technique &technique,
+                        const receiver &from, const sphere &light) noexcept
+{
+    const psc_receiver point = borrow(from);
+    return psc_build_sphere(sampler, &technique, &point, light.center.data(), light.radius);
+}
+
+inline psc_result build(psc_sampler *sampler, const psc_technique &technique,
+                        const receiver &from, const cap &light) noexcept
+{
+    const psc_receiver point = borrow(from);
+    return psc_build_cap(sampler, &technique, &point, light.axis.data(), light.half_angle);
+}
+
+/** Form factor from a receiver to a light, without a sampler. */
+inline psc_result form_factor(const receiver &from, const sphere &light, double &out) noexcept
+{
+    const psc_receiver point = borrow(from);
+    return psc_sphere_form_factor(&point, light.center.data(), light.radius, &out);
+}
+
+inline psc_result form_factor(const receiver &from, const cap &light, double &out) noexcept
+{
+    const psc_receiver point = borrow(from);
+    return psc_cap_form_factor(&point, light.axis.data(), light.half_angle, &out);
+}
+
+/** Solid angle of a light seen from a point, without a sampler. */
+inline psc_result solid_angle(const vector &position, const sphere &light, double &out) noexcept
+{
+    return psc_sphere_solid_angle(position.data(), light.center.data(), light.radius, &out);
+}
+
+/* ---- Arrays ------------------------------------------------------------------------------- */
+
+/** Numbers at every stride bytes, component by component: passes as an input, and as an output
+    unless they are constant. */
+template <class Real> struct view {
+    std::array<Real *, 3> component;
+    std::ptrdiff_t stride;
+
+    using value = std::remove_const_t<Real>;
+    using input = std::conditional_t<std::is_same_v<value, float>, psc_input_f32, psc_input_f64>;
+    using output = std::conditional_t<std::is_same_v<value, float>, psc_output_f32, psc_output_f64>;
+
+    operator input() const noexcept
+    {
+        return {{component[0], component[1], component[2]}, stride};
+    }
+    template <class T = Real, class = std::enable_if_t<!std::is_const_v<T>>>
+    operator output() const noexcept
+    {
+        return {{component[0], component[1], component[2]}, stride};
+    }
+};
+
+/** One number per element, the first at first; a stride of 0 repeats it. */
+template <class Real>
+view<Real> scalars(Real *first, std::ptrdiff_t stride = sizeof(Real)) noexcept
+{
+    return {{first, nullptr, nullptr}, stride};
+}
+
+/** Two adjacent numbers per element. */
+template <class Real>
+view<Real> pairs(Real *first, std::ptrdiff_t stride = 2 * sizeof(Real)) noexcept
+{
+    return {{first, first + 1, nullptr}, stride};
+}
+
+/** Three adjacent numbers per element. */
+template <class Real>
+view<Real> vectors(Real *first, std::ptrdiff_t stride = 3 * sizeof(Real)) noexcept
+{
+    return {{first, first + 1, first + 2}, stride};
+}
+
+/** Where samples go: nothing is wanted until it is assigned a view. */
+template <class Real>
+struct samples : std::conditional_t<std::is_same_v<Real, float>, psc_samples_f32, psc_samples_f64> {
+    using base = std::conditional_t<std::is_same_v<Real, float>, psc_samples_f32, psc_samples_f64>;
+
+    samples() noexcept : base{}
+    {
+        this->struct_size = sizeof(base);
+    }
+};
+
+/** Many receivers: vectors, and vectors or nothing. */
+template <class Real>
+struct receivers
+    : std::conditional_t<std::is_same_v<Real, float>, psc_receivers_f32, psc_receivers_f64> {
+    using base =
+        std::conditional_t<std::is_same_v<Real, float>, psc_receivers_f32, psc_receivers_f64>;
+    using input = typename view<Real>::input;
+
+    explicit receivers(const input &position_, const input &normal_ = {},
+                       std::uint32_t flags_ = 0) noexcept
+        : base{sizeof(base), flags_, position_, normal_}
+    {
+    }
+};
+
+/** One build and one sample per element: spheres. */
+inline psc_result sphere_sample_n(const psc_technique &technique, std::size_t count,
+                                  const receivers<double> &from, const psc_input_f64 &center,
+                                  const psc_input_f64 &radius, const psc_input_f64 &uv,
+                                  const psc_samples_f64 &out) noexcept
+{
+    return psc_sphere_sample_n_f64(&technique, count, &from, &center, &radius, &uv, &out);
+}
+
+inline psc_result sphere_sample_n(const psc_technique &technique, std::size_t count,
+                                  const receivers<float> &from, const psc_input_f32 &center,
+                                  const psc_input_f32 &radius, const psc_input_f32 &uv,
+                                  const psc_samples_f32 &out) noexcept
+{
+    return psc_sphere_sample_n_f32(&technique, count, &from, &center, &radius, &uv, &out);
+}
+
+/** One build and one sample per element: distant lights. */
+inline psc_result cap_sample_n(const psc_technique &technique, std::size_t count,
+                               const receivers<double> &from, const psc_input_f64 &axis,
+                               const psc_input_f64 &half_angle, const psc_input_f64 &uv,
+                               const psc_samples_f64 &out) noexcept
+{
+    return psc_cap_sample_n_f64(&technique, count, &from, &axis, &half_angle, &uv, &out);
+}
+
+inline psc_result cap_sample_n(const psc_technique &technique, std::size_t count,
+                               const receivers<float> &from, const psc_input_f32 &axis,
+                               const psc_input_f32 &half_angle, const psc_input_f32 &uv,
+                               const psc_samples_f32 &out) noexcept
+{
+    return psc_cap_sample_n_f32(&technique, count, &from, &axis, &half_angle, &uv, &out);
+}
+
+/* ---- The sampler ------------------------------------------------------------------------ */
+
+/** A light seen from a receiver, ready to be sampled. Empty at first; a value of some kilobytes,
+    which owns nothing. One per thread is enough, and one per light where MIS asks again. */
+class sampler {
+public:
+    sampler() noexcept
+    {
+        psc_sampler_init(&storage, sizeof storage, &handle);
+    }
+    sampler(const sampler &other) noexcept : sampler()
+    {
+        *this = other;
+    }
+    sampler &operator=(const sampler &other) noexcept
+    {
+        if (this != &other)
+            std::memcpy(&storage, &other.storage, psc_sampler_size());
+        return *this;
+    }
+
+    /** For what is not below. */
+    psc_sampler *get() noexcept
+    {
+        return handle;
+    }
+    const psc_sampler *get() const noexcept
+    {
+        return handle;
+    }
+
+    template <class Light>
+    psc_result build(const psc_technique &technique, const receiver &from,
+                     const Light &light) noexcept
+    {
+        return psc::build(handle, technique, from, light);
+    }
+
+    psc_result sample(double u, double v, psc_light_sample_f64 &out) const noexcept
+    {
+        return psc_sample_f64(handle, u, v, &out);
+    }
+    psc_result sample(float u, float v, psc_light_sample_f32 &out) const noexcept
+    {
+        return psc_sample_f32(handle, u, v, &out);
+    }
+
+    /** Density of a direction per steradian: 0 where the sampler gives none, or is empty. */
+    double pdf(const double direction[3]) const noexcept
+    {
+        double out = 0;
+        psc_pdf_f64(handle, direction, &out);
+        return out;
+    }
+    float pdf(const float direction[3]) const noexcept
+    {
+        float out = 0;
+        psc_pdf_f32(handle, direction, &out);
+        return out;
+    }
+
+    psc_result invert(const double direction[3], double uv[2]) const noexcept
+    {
+        return psc_invert_f64(handle, direction, uv);
+    }
+    psc_result invert(const float direction[3], float uv[2]) const noexcept
+    {
+        return psc_invert_f32(handle, direction, uv);
+    }
+
+    psc_result sample_n(std::size_t count, const psc_input_f64 &uv,
+                        const psc_samples_f64 &out) const noexcept
+    {
+        return psc_sample_n_f64(handle, count, &uv, &out);
+    }
+    psc_result sample_n(std::size_t count, const psc_input_f32 &uv,
+                        const psc_samples_f32 &out) const noexcept
+    {
+        return psc_sample_n_f32(handle, count, &uv, &out);
+    }
+    psc_result pdf_n(std::size_t count, const psc_input_f64 &direction,
+                     const psc_output_f64 &out) const noexcept
+    {
+        return psc_pdf_n_f64(handle, count, &direction, &out);
+    }
+    psc_result pdf_n(std::size_t count, const psc_input_f32 &direction,
+                     const psc_output_f32 &out) const noexcept
+    {
+        return psc_pdf_n_f32(handle, count, &direction, &out);
+    }
+    psc_result invert_n(std::size_t count, const psc_input_f64 &direction,
+                        const psc_output_f64 &uv,
+                        const psc_output_result &status = {}) const noexcept
+    {
+        return psc_invert_n_f64(handle, count, &direction, &uv, &status);
+    }
+    psc_result invert_n(std::size_t count, const psc_input_f32 &direction,
+                        const psc_output_f32 &uv,
+                        const psc_output_result &status = {}) const noexcept
+    {
+        return psc_invert_n_f32(handle, count, &direction, &uv, &status);
+    }
+
+    /** In the measure that the sampler is uniform in; 0 when empty. */
+    double total() const noexcept
+    {
+        double out = 0;
+        psc_sampler_total(handle, &out);
+        return out;
+    }
+    /** Of the whole light, whether above the horizon or not; 0 when empty. */
+    double solid_angle() const noexcept
+    {
+        double out = 0;
+        psc_sampler_solid_angle(handle, &out);
+        return out;
+    }
+    psc_result projected_solid_angle(double &out) const noexcept
+    {
+        return psc_sampler_projected_solid_angle(handle, &out);
+    }
+    psc_result form_factor(double &out) const noexcept
+    {
+        return psc_sampler_form_factor(handle, &out);
+    }
+    psc_result area(double &out) const noexcept
+    {
+        return psc_sampler_area(handle, &out);
+    }
+    psc_description describe() const noexcept
+    {
+        psc_description out = {sizeof out, 0, 0, 0, 0, 0};
+        psc_sampler_describe(handle, &out);
+        return out;
+    }
+
+private:
+    psc_sampler_storage storage;
+    psc_sampler *handle;
+};
+
+} // namespace psc
+
+#endif
