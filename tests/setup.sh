@@ -17,7 +17,16 @@ need meson meson
 need ninja ninja-build
 need pkg-config pkg-config
 need readelf binutils
+need cmake cmake
 need abidw abigail-tools
+# The clients in other languages.
+need luajit luajit
+need rustc rustc
+need node nodejs
+need npm npm
+/usr/bin/python3 -c 'import numpy' 2> /dev/null || missing="$missing python3-numpy"
+[ -f /usr/include/embree3/rtcore.h ] || missing="$missing libembree-dev"
+need doxygen doxygen
 pkg-config --exists cairo 2> /dev/null || missing="$missing libcairo2-dev"
 
 if [ -n "$missing" ]; then
@@ -33,4 +42,12 @@ if [ -f "$build/build.ninja" ]; then
     meson configure "$build" -Dabi=enabled -Drender=enabled
 else
     meson setup "$build" "$root" -Dabi=enabled -Drender=enabled
+fi
+
+# What the JavaScript client needs and Debian lacks. Without it, its test is skipped by name.
+if [ ! -d "$build/javascript/node_modules/koffi" ]; then
+    mkdir -p "$build/javascript"
+    cp "$root"/tests/clients/javascript/package*.json "$build/javascript"
+    npm ci --prefix "$build/javascript" --ignore-scripts --no-audit --no-fund --silent ||
+        echo 'no koffi: the JavaScript client is not tested'
 fi

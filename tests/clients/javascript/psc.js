@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// libpsc for Node.js, by the koffi package, on typed arrays without copies.
+//
+//     const psc = require('./psc')('libpsc.so.0');
+//     const sampler = psc.sampler();
+//     if (sampler.build(psc.sphere([2, 1, 0.5], 0.75), { position, normal },
+//                       { measure: psc.PROJECTED_SOLID_ANGLE })) {
+//         const s = sampler.sample(0.25, 0.75);
+//         sampler.sampleN(count, view(uv, 2), { direction: view(directions, 3) });
+//     }
+//
+// A view is { array, width, offset, stride }: so many adjacent numbers per element, the first of
+// them at offset, the next element stride numbers further (0 repeats one).
+'use strict';
+const koffi = require('koffi');
+
+koffi.opaque('psc_sampler');
+koffi.struct('psc_technique', {
+    struct_size: 'uint32_t', measure: 'uint32_t', map: 'uint32_t', flags: 'uint32_t',
+});
+koffi.struct('psc_receiver', {
+    struct_size: 'uint32_t', flags: 'uint32_t', position: 'const double *',
+    normal: 'const double *',
+});
+// psc_input_*, psc_output_*: the same in memory for every type of number.
+koffi.struct('psc_view', { component: koffi.array('void *', 3), stride: 'intptr_t' });
+koffi.struct('psc_output_result', { data: 'void *', stride: 'intptr_t' });
+koffi.struct('psc_samples', {
+    struct_size: 'uint32_t', reserved: 'uint32_t', direction: 'psc_view', pdf: 'psc_view',
+    point: 'psc_view', distance: 'psc_view', normal: 'psc_view', weight: 'psc_view',
+    surface: 'psc_view', status: 'psc_output_result',
+});
+koffi.struct('psc_receivers', {
+    struct_size: 'uint32_t', flags: 'uint32_t', position: 'psc_view', normal: 'psc_view',
+});
+
+const EMPTY = 1, OUTSIDE = 3;
+const NOWHERE = { component: [null, null, null], stride: 0 };
+
+function view(array, width, offset = 0, stride = width)
+{
+    return { array, width, offset, stride };
+}
+
+// A view as the library reads it. Its elements must be inside the array: nobody else looks.
+function pointers({ array, width, offset, stride }, count)
+{
+    const size = array.BYTES_PER_ELEMENT, last = offset + stride * (count - 1);
+
+    if (count > 0 && (Math.min(offset, last) < 0 || Math.max(offset, last) + width > array.length))
+        throw new RangeError('the array is too short');
+    const first = koffi.address(array) + BigInt(offset * size);
+    return {
+        component: [0, 1, 2].map(k => k < width ? first + BigInt(k * size) : null),
+        stride: stride * size,
+    };
+}
+
+const FIELDS = { direction: 3, pdf: 1, point: 3, distance: 1, normal: 3, weight: 1, surface: 2 };
+
+function samples(outputs, count, Numbers)
+{
+    const out = { struct_size: koffi.sizeof('psc_samples'), reserved: 0 };
+
+    for (const [name, width] of Object.entries(FIELDS)) {
+        const wanted = outputs[name];
+        if (wanted && !(wanted.array instanceof Numbers && wanted.width === width))
+            throw new TypeError(`${name} is not a view of ${width} in a ${Numbers.name}`);
+        out[name] = wanted ? pointers(wanted, count) : NOWHERE;
+    }
+    if (outputs.status && !(outputs.status.array instanceof Int32Array))
+        throw new TypeError('status is not in an Int32Array');
+    const status = outputs.status ? pointers(outputs.status, count) : NOWHERE;
+    out.status = { data: status.component[0], stride: status.stride };
+    return out;
+}
+
+module.exports = path => {
+    const library = koffi.load(path);
+    const resultString = library.func('const char *psc_result_string(int32_t)');
+    const calls = {
+        version: library.func('uint32_t psc_version()'),
+        create: library.func('int32_t psc_sampler_create(void *, _Out_ psc_sampler **)'),
+        destroy: library.func('void psc_sampler_destroy(psc_sampler *)'),
+        sphere: library.func('int32_t psc_build_sphere(psc_sampler *, psc_technique *, ' +
+                             'psc_receiver *, const double *, double)'),
+        cap: library.func('int32_t psc_build_cap(psc_sampler *, psc_technique *, ' +
+                          'psc_receiver *, const double *, double)'),
+        sample: library.func('int32_t psc_sample_f64(psc_sampler *, double, double, double *)'),
+        pdf: library.func('int32_t psc_pdf_f64(psc_sampler *, const double *, _Out_ double *)'),
+        invert: library.func('int32_t psc_invert_f64(psc_sampler *, const double *, double *)'),
+        total: library.func('int32_t psc_sampler_total(psc_sampler *, _Out_ double *)'),
+    };
+    for (const [bits, Numbers] of [['f32', Float32Array], ['f64', Float64Array]]) {
+        calls[Numbers.name] = {
+            sampleN: library.func(`int32_t psc_sample_n_${bits}(psc_sampler *, size_t, ` +
+                                  'psc_view *, psc_samples *)'),
+            sphereSampleN: library.func(`int32_t psc_sphere_sample_n_${bits}(psc_technique *, ` +
+                                        'size_t, psc_receivers *, psc_view *, psc_view *, ' +
+                                        'psc_view *, psc_samples *)'),
+        };
+    }
+
+    // Throws what is an error; returns the status.
+    function check(result)
+    {
+        if (result < 0)
+            throw Object.assign(new Error(resultString(result)), { result });
+        return result;
+    }
+
+    function technique({ measure = 0, map = 0, flags = 0 } = {})
+    {
+        return { struct_size: koffi.sizeof('psc_technique'), measure, map, flags };
+    }
+
+    const forgotten = new FinalizationRegistry(calls.destroy);
+
+    class Sampler {
+        #handle;
+
+        constructor()
+        {
+            const out = [null];
+            check(calls.create(null, out));
+            this.#handle = out[0];
+            forgotten.register(this, this.#handle);
+        }
+        // Whether anything of the light can be seen.
+        build({ shape, parts }, { position, normal = null, flags = 0 }, how)
+        {
+            const receiver = {
+                struct_size: koffi.sizeof('psc_receiver'), flags, position, normal,
+            };
+            return check(calls[shape](this.#handle, technique(how), receiver, ...parts)) === 0;
+        }
+        // A sample, or null if there is none; of weight 0 if it is culled.
+        sample(u, v)
+        {
+            const s = new Float64Array(14);
+            if (check(calls.sample(this.#handle, u, v, s)) === EMPTY)
+                return null;
+            return {
+                direction: s.subarray(0, 3), pdf: s[3], point: s.subarray(4, 7), distance: s[7],
+                normal: s.subarray(8, 11), weight: s[11], surface: s.subarray(12, 14),
+            };
+        }
+        pdf(direction)
+        {
+            const out = [0];
+            check(calls.pdf(this.#handle, direction, out));
+            return out[0];
+        }
+        // [u, v] of a direction, or null.
+        invert(direction)
+        {
+            const uv = new Float64Array(2);
+            const result = check(calls.invert(this.#handle, direction, uv));
+            return result === EMPTY || result === OUTSIDE ? null : uv;
+        }
+        total()
+        {
+            const out = [0];
+            check(calls.total(this.#handle, out));
+            return out[0];
+        }
+        sampleN(count, uv, outputs)
+        {
+            const Numbers = uv.array.constructor;
+            return check(calls[Numbers.name].sampleN(
+                this.#handle, count, pointers(uv, count), samples(outputs, count, Numbers)));
+        }
+    }
+
+    return {
+        SOLID_ANGLE: 0, PROJECTED_SOLID_ANGLE: 1, AREA: 2, VISIBLE_AREA: 3,
+        RADIAL: 0, PARALLEL: 1, CONCENTRIC: 2,
+        version: calls.version,
+        view,
+        sphere: (center, radius) => ({ shape: 'sphere', parts: [center, radius] }),
+        cap: (axis, halfAngle) => ({ shape: 'cap', parts: [axis, halfAngle] }),
+        sampler: () => new Sampler(),
+        // One build and one sample for each element.
+        sphereSampleN(count, { position, normal, flags = 0 }, center, radius, uv, outputs, how)
+        {
+            const Numbers = uv.array.constructor;
+            const receivers = {
+                struct_size: koffi.sizeof('psc_receivers'), flags,
+                position: pointers(position, count),
+                normal: normal ? pointers(normal, count) : NOWHERE,
+            };
+            return check(calls[Numbers.name].sphereSampleN(
+                technique(how), count, receivers, pointers(center, count),
+                pointers(radius, count), pointers(uv, count), samples(outputs, count, Numbers)));
+        },
+    };
+};

@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""test.py LIBRARY: what the Python client gets from the library."""
+import math
+import sys
+
+import numpy
+
+import psc
+
+count = failures = 0
+
+
+def check(name, ok):
+    global count, failures
+    count += 1
+    failures += not ok
+    print(f"{'ok' if ok else 'not ok'} {count} - {name}")
+
+
+library = psc.Library(sys.argv[1])
+sampler = library.sampler()
+sphere = psc.Sphere((0.3, -0.2, 2), 0.5)
+origin, up = (0, 0, 0), (0, 0, 1)
+
+# One sample.
+check('an empty sampler gives nothing', sampler.sample(0.5, 0.5) is None and sampler.total() == 0)
+check('builds', sampler.build(sphere, origin, up, psc.PROJECTED_SOLID_ANGLE, psc.PARALLEL))
+s = sampler.sample(0.25, 0.75)
+distance = math.dist(sphere.center, origin)
+exact = math.pi * (sphere.radius / distance) ** 2 * sphere.center[2] / distance
+check('the weight of a sphere above the horizon', abs(s.weight / exact - 1) < 1e-14)
+check('the point is on the light', abs(math.dist(s.point, sphere.center) / 0.5 - 1) < 1e-14)
+check('pdf of the sample', abs(sampler.pdf(s.direction) / s.pdf - 1) < 1e-12)
+check('inverse of the sample', math.dist(sampler.invert(s.direction), (0.25, 0.75)) < 1e-12)
+check('below the horizon', not sampler.build(sphere, origin, (0, 0, -1), psc.PROJECTED_SOLID_ANGLE)
+      and sampler.sample(0.5, 0.5) is None)
+try:
+    sampler.build(psc.Sphere((math.nan, 0, 1), 1), origin)
+    words = ''
+except psc.Error as error:
+    words = str(error)
+check(f'errors are exceptions: {words}', 'NaN' in words)
+
+# Ten million samples, in arrays of records that nobody copies.
+n = 10_000_000
+rng = numpy.random.default_rng(1)
+record = numpy.zeros(n, [('uv', 'f4', 2), ('weight', 'f4'), ('direction', 'f4', 3)])
+record['uv'][:, 0] = rng.random(n, 'f4')
+record['uv'][:, 1] = rng.random(n, 'f4')
+sampler.build(sphere, origin, up, psc.SOLID_ANGLE, psc.CONCENTRIC)
+status = sampler.sample_n(record['uv'], weight=record['weight'], direction=record['direction'])
+check('ten million samples in records', status == psc.SUCCESS)
+error = record['weight'].std(dtype='f8') / math.sqrt(n)
+check('their mean is the projected solid angle',
+      abs(record['weight'].mean(dtype='f8') - exact) < 5 * error and error < 1e-4 * exact)
+weight = numpy.empty(n, 'f4')
+direction = numpy.empty((3, n), 'f4')
+sampler.sample_n(record['uv'], weight=weight, direction=direction.T)
+check('separate arrays by component hold the same bits',
+      (weight == record['weight']).all() and (direction.T == record['direction']).all())
+
+# Strided views: backwards, every second element, columns.
+uv = rng.random((1000, 2))
+weight = numpy.empty(1000)
+sampler.sample_n(uv, weight=weight)
+sparse = numpy.full((2000, 5), -1.0)
+sampler.sample_n(uv[::-1], weight=sparse[::2, 3])
+check('backwards into a column', (sparse[::2, 3] == weight[::-1]).all()
+      and (sparse[1::2] == -1).all() and (numpy.delete(sparse, 3, 1) == -1).all())
+directions, pdf, back = numpy.empty((1000, 3)), numpy.empty(1000), numpy.empty(1000)
+sampler.sample_n(uv, direction=directions, pdf=pdf)
+sampler.pdf_n(directions, back)
+check('densities of an array', numpy.allclose(pdf, back, rtol=1e-10, atol=0))
+for wrong in uv.astype('f4'), numpy.broadcast_to(0.0, 1000), numpy.empty(999):
+    try:
+        sampler.sample_n(uv, weight=wrong)
+        refused = False
+    except ValueError:
+        refused = True
+    check(f'an output of {wrong.dtype}, {wrong.shape} is refused', refused)
+
+# A wavefront: one sphere for all receivers by broadcasting, culled and empty elements included.
+position = rng.uniform(-3, 3, (1000, 3))
+normal = rng.normal(size=(1000, 3))
+status = numpy.empty(1000, 'i4')
+weight[:] = -1
+result = library.sphere_sample_n(
+    position, normal, numpy.broadcast_to(numpy.array(sphere.center), (1000, 3)),
+    numpy.broadcast_to(sphere.radius, 1000), uv, weight=weight, status=status)
+check('a wavefront', result == psc.SUCCESS and set(status) == {psc.SUCCESS, psc.EMPTY, psc.CULLED})
+same = True
+for i in range(1000):
+    sampler.build(sphere, position[i], normal[i])
+    one = sampler.sample(*uv[i])
+    same &= weight[i] == (-1 if one is None else one.weight)
+check('gives what single calls give', same)
+
+print(f'1..{count}')
+sys.exit(failures != 0)
