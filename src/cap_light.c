@@ -60,8 +60,9 @@ static int look(const struct psc_side *side, const double direction[3], double s
     d->h = 0.5 * dot(off, off);
     d->depth = h0 - d->h;
     d->height = dot(direction, side->z);
-    /* The edge is as sharp as the direction was rounded, after a sampling of its own. */
-    if (!(d->depth >= -32.0 * epsilon * (side->lobe.sin_a + epsilon)))
+    /* The edge is as sharp as the direction was rounded, after a sampling of its own; beyond a
+       right angle h and the direction's length round by more than the angle does. */
+    if (!(d->depth >= -epsilon * (32.0 * (side->lobe.sin_a + epsilon) + 8.0 * h0)))
         return 0;
     d->depth = MAX(d->depth, 0.0);
     d->h = MIN(d->h, h0);

@@ -90,7 +90,7 @@ static int FN(inverse_same)(const psc_sampler *sampler, size_t count, int in_lay
     return same;
 }
 
-static void FN(arrays)(const struct test_technique *what)
+static void FN(arrays)(const struct shape *shape, const struct test_technique *what)
 {
     static const size_t counts[] = {0, 1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 33, 64, 257};
     uint64_t seed = 130;
@@ -105,9 +105,9 @@ static void FN(arrays)(const struct test_technique *what)
         struct light light;
         uint64_t same_seed = seed;
 
-        random_light(&seed, what, &light);
+        random_light(&seed, shape, what, &light);
         if (i % 20 == 0)
-            light.scene.radius = 0.0; /* empty */
+            shrink_to_nothing(&light);
         build_light(make_sampler(&s), &light);
         tried++;
         if (!FN(sample_same)(s.sampler, count, in_layout, out_layout, wanted, partial, &seed)) {
@@ -121,10 +121,10 @@ static void FN(arrays)(const struct test_technique *what)
                      describe_light(&light));
         }
     }
-    tap_ok(samples == 0, "%s, " SUFFIX ": samples in arrays (%d of %d differ)", what->name,
-           samples, tried);
-    tap_ok(inverses == 0, "%s, " SUFFIX ": pdfs and inverses in arrays (%d of %d differ)",
-           what->name, inverses, tried);
+    tap_ok(samples == 0, "%s, %s, " SUFFIX ": samples in arrays (%d of %d differ)", shape->name,
+           what->name, samples, tried);
+    tap_ok(inverses == 0, "%s, %s, " SUFFIX ": pdfs and inverses in arrays (%d of %d differ)",
+           shape->name, what->name, inverses, tried);
 }
 
 /* What is wrong with the arrays themselves. */
@@ -140,7 +140,7 @@ static void FN(refusals)(void)
     FN(psc_samples) samples;
     const psc_result null = PSC_ERROR_NULL_POINTER;
 
-    build_sphere(make_sampler(&s), &test_techniques[0], 0, origin, up, center, 0.5);
+    build_sphere(make_sampler(&s), shape_sphere.techniques, 0, origin, up, center, 0.5);
     FN(array_make)(&numbers, 3, 1, FN(RECORDS));
     in = FN(array_input)(&numbers);
     out = FN(array_output)(&numbers, 7);

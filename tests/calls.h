@@ -8,25 +8,12 @@
 
 #include <string.h>
 
-/* Every technique of a sphere; those with distant set are also offered for caps. */
-static const struct test_technique {
+/* What samples are uniform in, and how. */
+struct test_technique {
     const char *name;
     psc_measure measure;
     psc_map map;
-    int distant;
-} test_techniques[] = {
-    {"solid angle, radial", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL, 1},
-    {"solid angle, concentric", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_CONCENTRIC, 1},
-    {"projected, radial", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_RADIAL, 1},
-    {"projected, parallel", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_PARALLEL, 1},
-    {"projected, concentric", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_CONCENTRIC, 1},
-    {"area, radial", PSC_MEASURE_AREA, PSC_MAP_RADIAL, 0},
-    {"area, concentric", PSC_MEASURE_AREA, PSC_MAP_CONCENTRIC, 0},
-    {"visible area, radial", PSC_MEASURE_VISIBLE_AREA, PSC_MAP_RADIAL, 0},
-    {"visible area, concentric", PSC_MEASURE_VISIBLE_AREA, PSC_MAP_CONCENTRIC, 0},
 };
-
-enum { TEST_TECHNIQUES = sizeof test_techniques / sizeof test_techniques[0] };
 
 static inline psc_technique make_technique(psc_measure measure, psc_map map)
 {

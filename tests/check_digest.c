@@ -13,16 +13,15 @@
 #include <inttypes.h>
 #include <stdlib.h>
 
-#include "calls.h"
-#include "random.h"
+#include "exact.h"
 #include "tap.h"
 
-enum { BUILDS = 1500, SAMPLES = 4, DIGESTS_MAX = 256 };
+enum { BUILDS = 1500, SAMPLES = 4, DIGESTS_MAX = 1024 };
 
 /* ---- Digests ---- */
 
 static struct digest {
-    char name[80];
+    char name[96];
     uint64_t value;
 } digests[DIGESTS_MAX];
 
@@ -87,133 +86,6 @@ static void add_numbers(struct digest *d, const char *label, const double *x, in
 
 /* ---- Inputs ---- */
 
-/* 2^exponent for an exponent of a normal number. */
-static double power_of_two(int exponent)
-{
-    const uint64_t bits = (uint64_t)(exponent + 1023) << 52;
-    double x;
-
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
-
-static int64_t square_root(int64_t x)
-{
-    int64_t root = 0, bit = (int64_t)1 << 31;
-
-    for (; bit > 0; bit >>= 1)
-        if ((root | bit) * (root | bit) <= x)
-            root |= bit;
-    return root;
-}
-
-/* From -n to n. */
-static int64_t around(uint64_t *state, int64_t n)
-{
-    return (int64_t)(random_bits(state) % (uint64_t)(2 * n + 1)) - n;
-}
-
-/* A light in units of a power of two. */
-struct integers {
-    int64_t position[3], offset[3], normal[3], radius;
-};
-
-/* A radius for a sphere whose centre is this far away. */
-static int64_t some_radius(uint64_t *state, int64_t distance)
-{
-    int64_t part = distance / 4096 * (int64_t)(random_bits(state) % 4096);
-
-    switch (random_below(state, 8)) {
-    case 0: return distance + part;                           /* around the receiver */
-    case 1: return distance + around(state, 2);               /* touching it */
-    case 2: return distance - (distance >> random_below(state, 28)); /* close to it */
-    case 3: return distance >> random_below(state, 28);       /* far away */
-    default: return part;
-    }
-}
-
-/* Anything at all. */
-static void make_general(uint64_t *state, struct integers *s)
-{
-    const int shift = random_below(state, 20);
-    int64_t squares = 0;
-    int i;
-
-    for (i = 0; i < 3; i++) {
-        s->position[i] = around(state, 1 << 20);
-        s->offset[i] = around(state, 1 << (9 + shift));
-        s->normal[i] = around(state, 1 << 20);
-        squares += s->offset[i] * s->offset[i];
-    }
-    s->normal[random_below(state, 3)] |= 1;
-    s->radius = some_radius(state, square_root(squares));
-}
-
-/* Exactly on the boundaries between the cases, and one unit beside them. */
-static void make_boundary(uint64_t *state, struct integers *s)
-{
-    static const int64_t sides[5][3] = {
-        {3, 4, 5}, {5, 12, 13}, {8, 15, 17}, {20, 21, 29}, {1, 0, 1}};
-    const int64_t *side = sides[random_below(state, 5)], unit = 1 + around(state, 1 << 20) / 2 * 2;
-    const int axis = random_below(state, 3);
-    const int64_t distance = side[2] * (unit < 0 ? -unit : unit);
-    int64_t height;
-    int i;
-
-    for (i = 0; i < 3; i++) {
-        s->position[i] = around(state, 1 << 20);
-        s->normal[i] = 0;
-    }
-    s->normal[axis] = around(state, 1) * 2 + 1;
-    s->offset[(axis + 1) % 3] = side[0] * unit;
-    s->offset[(axis + 2) % 3] = side[1] * unit;
-    s->radius = some_radius(state, distance);
-    switch (random_below(state, 6)) {
-    case 0: height = 0; break;
-    case 1: height = around(state, 1); break;
-    case 2: height = s->radius + around(state, 1); break;
-    case 3: height = -s->radius + around(state, 1); break;
-    case 4: height = around(state, s->radius < 1 ? 1 : s->radius); break;
-    default: height = -s->radius + (s->radius >> random_below(state, 24)); break;
-    }
-    s->offset[axis] = height;
-    if (random_below(state, 16) == 0) /* straight overhead */
-        s->offset[(axis + 1) % 3] = s->offset[(axis + 2) % 3] = 0;
-}
-
-struct light {
-    double position[3], normal[3], center[3], radius, axis[3], half_angle;
-    int facing; /* without a normal, one-sided, two-sided */
-};
-
-static void make_light(uint64_t *state, struct light *light)
-{
-    static const double angles[] = {0x1.921fb54442d18p+0, 0x1.921fb54442d18p+1, 1.0, 0x1p-20,
-                                    0x1.921fb54442d17p+0, 0x1.8p+0, 2.0, 0x1p-45};
-    struct integers s;
-    double scale, normal_scale;
-    int i;
-
-    if (random_below(state, 2))
-        make_general(state, &s);
-    else
-        make_boundary(state, &s);
-    scale = power_of_two(random_below(state, 80) - 60);
-    normal_scale = power_of_two(random_below(state, 80) - 60);
-    for (i = 0; i < 3; i++) {
-        light->position[i] = (double)s.position[i] * scale;
-        light->center[i] = (double)(s.position[i] + s.offset[i]) * scale;
-        light->normal[i] = (double)s.normal[i] * normal_scale;
-        light->axis[i] = (double)s.offset[i] * normal_scale;
-    }
-    light->radius = (double)s.radius * scale;
-    light->half_angle = random_below(state, 3) == 0
-                            ? angles[random_below(state, 8)]
-                            : (double)(random_bits(state) >> 11) *
-                                  power_of_two(-52 - random_below(state, 30));
-    light->facing = random_below(state, 3);
-}
-
 /* A coordinate of the unit square. */
 static double make_coordinate(uint64_t *state)
 {
@@ -259,9 +131,10 @@ static void add_direction(struct digest *pdf, struct digest *inverse, int bits,
     add_numbers(inverse, "uv", uv, 2);
 }
 
-static void add_samples(const char *where, int bits, uint64_t *state, const psc_sampler *sampler)
+/* The other direction is one of a sample before. */
+static void add_samples(const char *where, int bits, uint64_t *state, const psc_sampler *sampler,
+                        double other[3])
 {
-    static double other[2][3] = {{0.0, 0.6, 0.8}, {0.0, 0.6, 0.8}}; /* a direction seen before */
     struct digest *sample = open_digest(where, bits == 64 ? "sample f64" : "sample f32");
     struct digest *pdf = open_digest(where, bits == 64 ? "pdf f64" : "pdf f32");
     struct digest *inverse = open_digest(where, bits == 64 ? "inverse f64" : "inverse f32");
@@ -282,70 +155,64 @@ static void add_samples(const char *where, int bits, uint64_t *state, const psc_
         add_numbers(sample, "normal", s.normal, 3);
         add_number(sample, "weight", s.weight);
         add_numbers(sample, "surface", s.surface, 2);
-        add_direction(pdf, inverse, bits, sampler, other[bits == 64]);
+        add_direction(pdf, inverse, bits, sampler, other);
         if (result == PSC_SUCCESS || result == PSC_CULLED) {
             add_direction(pdf, inverse, bits, sampler, s.direction);
-            memcpy(other[bits == 64], s.direction, sizeof s.direction);
+            memcpy(other, s.direction, sizeof s.direction);
         }
     }
 }
 
-static void digest_technique(const struct test_technique *what, int distant)
+static void digest_technique(const struct shape *shape, const struct test_technique *what)
 {
     uint64_t state = 20180701;
     struct test_sampler memory;
     psc_sampler *sampler = make_sampler(&memory);
+    double wide[3] = {0.0, 0.6, 0.8}, narrow[3] = {0.0, 0.6, 0.8};
     char where[60];
     int i;
 
-    snprintf(where, sizeof where, "%s of %s", what->name, distant ? "caps" : "spheres");
+    snprintf(where, sizeof where, "%s of %ss", what->name, shape->name);
     for (i = 0; i < BUILDS; i++) {
         struct digest *d = open_digest(where, "build");
         struct light light;
-        const double *normal;
-        uint32_t flags;
         psc_result result;
 
-        make_light(&state, &light);
-        if (what->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE && light.facing == 0)
-            light.facing = i % 8 > 0; /* this measure needs a normal */
-        normal = light.facing > 0 ? light.normal : NULL;
-        flags = light.facing == 2 ? PSC_RECEIVER_TWO_SIDED : 0;
-        result = distant ? build_cap(sampler, what, flags, normal, light.axis, light.half_angle)
-                         : build_sphere(sampler, what, flags, light.position, normal,
-                                        light.center, light.radius);
+        exact_light(&state, shape, what, &light);
+        if (!light.has_normal && !is_offered(what, FACING_NONE))
+            light.has_normal = i % 8 > 0; /* this measure needs a normal */
+        result = build_light(sampler, &light);
         add_word(d, "result", (uint64_t)result);
         if (result != PSC_SUCCESS)
             continue;
         add_answers(d, sampler);
-        add_samples(where, 64, &state, sampler);
-        add_samples(where, 32, &state, sampler);
+        add_samples(where, 64, &state, sampler, wide);
+        add_samples(where, 32, &state, sampler, narrow);
     }
 }
 
 /* The functions without a sampler. */
-static void digest_questions(void)
+static void digest_questions(const struct shape *shape)
 {
-    struct digest *d = open_digest("without a sampler", "answers");
     uint64_t state = 20180702;
+    char where[60];
+    struct digest *d;
     int i;
 
+    snprintf(where, sizeof where, "%ss", shape->name);
+    d = open_digest(where, "answers without a sampler");
     for (i = 0; i < BUILDS; i++) {
         struct light light;
         psc_receiver receiver;
-        double values[4] = {0.0, 0.0, 0.0, 0.0};
+        double values[2] = {0.0, 0.0};
 
-        make_light(&state, &light);
-        receiver = make_receiver(light.position, light.normal,
-                                 light.facing == 2 ? PSC_RECEIVER_TWO_SIDED : 0);
-        add_word(d, "result", (uint64_t)psc_sphere_solid_angle(light.position, light.center,
-                                                               light.radius, values));
-        add_word(d, "result", (uint64_t)psc_sphere_form_factor(&receiver, light.center,
-                                                               light.radius, values + 1));
-        add_word(d, "result", (uint64_t)psc_cap_solid_angle(light.half_angle, values + 2));
-        add_word(d, "result", (uint64_t)psc_cap_form_factor(&receiver, light.axis,
-                                                            light.half_angle, values + 3));
-        add_numbers(d, "value", values, 4);
+        exact_light(&state, shape, shape->techniques, &light);
+        light.has_normal = 1;
+        receiver = light_receiver(&light);
+        add_word(d, "result",
+                 (uint64_t)shape->solid_angle(light.position, light.geometry, values));
+        add_word(d, "result", (uint64_t)shape->form_factor(&receiver, light.geometry, values + 1));
+        add_numbers(d, "value", values, 2);
     }
 }
 
@@ -368,7 +235,7 @@ static int record(const char *path)
 static int compare(const char *path)
 {
     FILE *file = fopen(path, "r");
-    char line[128];
+    char line[160];
     size_t stored = 0;
 
     while (file && fgets(line, sizeof line, file)) {
@@ -393,7 +260,8 @@ static int compare(const char *path)
 int main(int argc, char **argv)
 {
     const char *option = argc == 3 ? argv[1] : "";
-    int t, distant;
+    const struct test_technique *what;
+    int i;
 
     if (argc != 2 && strcmp(option, "--record") != 0 && strcmp(option, "--trace") != 0) {
         fprintf(stderr, "usage: %s [--record] FILE | --trace NAME\n", argv[0]);
@@ -401,10 +269,11 @@ int main(int argc, char **argv)
     }
     if (strcmp(option, "--trace") == 0)
         traced = argv[2];
-    for (t = 0; t < TEST_TECHNIQUES; t++)
-        for (distant = 0; distant <= test_techniques[t].distant; distant++)
-            digest_technique(&test_techniques[t], distant);
-    digest_questions();
+    for (i = 0; shapes[i]; i++) {
+        for (FOR_TECHNIQUES(shapes[i], what))
+            digest_technique(shapes[i], what);
+        digest_questions(shapes[i]);
+    }
     if (traced)
         return find_digest(traced) == NULL;
     return strcmp(option, "--record") == 0 ? record(argv[2]) : compare(argv[1]);

@@ -7,14 +7,14 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "lights.h"
+#include "shapes.h"
 #include "tap.h"
 #include "variants.h"
 
 enum layout { LAYOUT_SEPARATE, LAYOUT_RECORDS, LAYOUT_REVERSED, LAYOUTS };
 
 /* Elements: more than two blocks of the library's loops. */
-enum { COUNT_MAX = 300, COMPONENTS = 14, MAX_INPUTS = 12, REPEATED = 21 };
+enum { COUNT_MAX = 300, COMPONENTS = 14, REPEATED = 21 };
 
 #define ALL_COMPONENTS ((1u << COMPONENTS) - 1)
 
@@ -24,7 +24,7 @@ static const char *const component_names[COMPONENTS] = {
 
 /* What was compared, and the first differences. */
 struct tally {
-    char what[320];
+    char what[160];
     size_t compared, differences;
     size_t statuses[5]; /* of single samples: by number, errors last */
 };
@@ -91,86 +91,63 @@ static double coordinate(size_t i)
 
 /* ---- Lights ---- */
 
-/* Gaps and sines of place_sphere(), one or more for each case. */
+/* One or more for each case of each shape. */
 static const struct situation {
     const char *name;
-    double gap, sine;
+    int place, horizon;
 } situations[] = {
-    {"ellipse", 1.5, 0.9},        {"overhead", 1.0, 1.0},        {"touching the horizon", 1.0, 0.5},
-    {"ellipse and lune", 0.4, 0.4}, {"half", 0.4, 0.0},          {"lune", 0.4, -0.3},
-    {"thin lune", 0.4, -0.69},    {"sun", 200.0, 0.002},         {"low sun", 200.0, -0.0048},
-    {"close", 1e-9, 0.3},         {"inside", -0.5, 0.4},         {"below", 0.4, -0.9},
-    {"on the surface", 0.0, 0.5},
+    {"above", PLACE_ORDINARY, HORIZON_ABOVE}, {"touching the horizon", PLACE_ORDINARY, HORIZON_TOUCH},
+    {"cut", PLACE_ORDINARY, HORIZON_CUT},     {"cut elsewhere", PLACE_ORDINARY, HORIZON_CUT},
+    {"low", PLACE_ORDINARY, HORIZON_LOW},     {"far", PLACE_FAR, HORIZON_CUT},
+    {"tiny", PLACE_TINY, HORIZON_ANY},        {"close", PLACE_CLOSE, HORIZON_ANY},
+    {"grazing", PLACE_GRAZING, HORIZON_ANY},  {"inside or in its plane", PLACE_INSIDE, HORIZON_ANY},
+    {"below", PLACE_ORDINARY, HORIZON_BELOW}, {"anywhere", PLACE_ORDINARY, HORIZON_ANY},
 };
 
 enum { SITUATIONS = sizeof situations / sizeof *situations };
 
-/* The facing of receivers: without a normal, one-sided, two-sided. */
-enum { FACINGS = 3 };
+/* Where each input is among the values of an element. */
+enum { POSITION = 0, NORMAL = 3, UV = 6, GEOMETRY = 8, MAX_INPUTS = GEOMETRY + GEOMETRY_MAX };
 
-static int offered(const struct test_technique *what, int distant, int facing)
+static void to_values(const struct light *light, double values[MAX_INPUTS])
 {
-    return (!distant || what->distant) &&
-           (facing > 0 || what->measure != PSC_MEASURE_PROJECTED_SOLID_ANGLE);
+    memcpy(values + POSITION, light->position, sizeof light->position);
+    memcpy(values + NORMAL, light->normal, sizeof light->normal);
+    memcpy(values + GEOMETRY, light->geometry, sizeof light->geometry);
 }
 
-static void make_scene(uint64_t *state, const struct situation *s, int distant,
-                       struct scene *scene)
+static void from_values(const double values[MAX_INPUTS], struct light *light)
 {
-    static const struct scene on_surface = {{0, 0, 0}, {0, 0, 2}, {3, 0, 4}, 5};
-    int i;
+    memcpy(light->position, values + POSITION, sizeof light->position);
+    memcpy(light->normal, values + NORMAL, sizeof light->normal);
+    memcpy(light->geometry, values + GEOMETRY, sizeof light->geometry);
+}
 
-    if (s->gap == 0.0)
-        *scene = on_surface;
-    else
-        place_sphere(state, s->gap, s->sine, 1.0, scene);
-    if (distant) {
-        for (i = 0; i < 3; i++)
-            scene->center[i] -= scene->position[i];
-        scene->radius = s->gap > 0.0 ? asin(1.0 / (1.0 + s->gap)) : RIGHT_ANGLE * (1.0 - s->gap);
+/* A part of the light that cannot be, or has no size. */
+static void spoil(size_t turn, struct light *light)
+{
+    const int n = geometry_size(light->shape);
+
+    switch (turn % 5) {
+    case 0: light->position[1] = NAN; break;
+    case 1: memset(light->normal, 0, sizeof light->normal); break;
+    case 2: light->geometry[turn / 5 % (size_t)n] = INFINITY; break;
+    case 3: light->geometry[n - 1] = NAN; break;
+    default: shrink_to_nothing(light); break;
     }
 }
 
-/* One call's arrays: what all elements share. */
-struct wavefront {
-    const struct test_technique *what;
-    int distant, has_normal;
-    uint32_t flags;
-};
-
-static psc_result build_parts(psc_sampler *sampler, const struct wavefront *w,
-                              const double position[3], const double normal[3],
-                              const double center[3], double radius)
-{
-    const psc_technique technique = make_technique(w->what->measure, w->what->map);
-    const psc_receiver receiver = make_receiver(position, w->has_normal ? normal : NULL, w->flags);
-
-    return w->distant ? psc_build_cap(sampler, &technique, &receiver, center, radius)
-                      : psc_build_sphere(sampler, &technique, &receiver, center, radius);
-}
-
-/* Where each input is among the values of an element. */
-enum { POSITION = 0, NORMAL = 3, CENTER = 6, RADIUS = 9, UV = 10 };
-
 /* Element i. Every eighth is one that cannot be built. */
-static void make_element(const struct wavefront *w, size_t i, double element[MAX_INPUTS])
+static void make_element(const struct light *shared, size_t i, double element[MAX_INPUTS])
 {
     uint64_t state = i * 0x9e6c63d0876a9a47u + 1;
-    struct scene s;
+    const struct situation *s = &situations[random_below(&state, SITUATIONS)];
+    struct light light;
 
-    make_scene(&state, &situations[random_below(&state, SITUATIONS)], w->distant, &s);
+    place_light(&state, shared->shape, shared->what, s->place, s->horizon, FACING_ONE, &light);
     if (i % 8 == 3)
-        switch (i / 8 % 5) {
-        case 0: s.position[1] = NAN; break;
-        case 1: s.normal[0] = s.normal[1] = s.normal[2] = 0.0; break;
-        case 2: s.center[2] = INFINITY; break;
-        case 3: s.radius = -1.0; break;
-        default: s.radius = 0.0; break;
-        }
-    memcpy(element + POSITION, s.position, sizeof s.position);
-    memcpy(element + NORMAL, s.normal, sizeof s.normal);
-    memcpy(element + CENTER, s.center, sizeof s.center);
-    element[RADIUS] = s.radius;
+        spoil(i / 8, &light);
+    to_values(&light, element);
     element[UV] = coordinate(2 * i);
     element[UV + 1] = coordinate(2 * i + 1);
 }
@@ -188,74 +165,74 @@ static void make_element(const struct wavefront *w, size_t i, double element[MAX
 
 static const char *const facing_names[FACINGS] = {"no normal", "one-sided", "two-sided"};
 
-static void check_builds(const struct psc_variant *variant, const struct test_technique *what,
-                         int distant, int bits)
+static void check_builds(const struct psc_variant *variant, const struct shape *shape,
+                         const struct test_technique *what, int bits)
 {
     struct tally tally = {{0}, 0, 0, {0}};
-    struct light light = {what, distant, 0, 0, {{0}, {0}, {0}, 0}};
     int i, facing;
 
     for (i = 0; i < SITUATIONS; i++)
         for (facing = 0; facing < FACINGS; facing++) {
             uint64_t state = (uint64_t)i + 1;
+            struct light light;
 
-            if (!offered(what, distant, facing))
+            if (!is_offered(what, facing))
                 continue;
-            make_scene(&state, &situations[i], distant, &light.scene);
-            light.has_normal = facing > 0;
-            light.flags = facing == 2 ? PSC_RECEIVER_TWO_SIDED : 0;
+            place_light(&state, shape, what, situations[i].place, situations[i].horizon, facing,
+                        &light);
             snprintf(tally.what, sizeof tally.what, "%s, %s", situations[i].name,
                      facing_names[facing]);
-            if (bits == 64)
-                check_light_f64(&tally, &light, variant);
-            else
-                check_light_f32(&tally, &light, variant);
+            (bits == 64 ? check_light_f64 : check_light_f32)(&tally, &light, variant);
         }
     tap_ok(tally.differences == 0 && tally.compared > 0,
-           "%s f%d, %s of %s: %zu differences in %zu samples of batches", variant_name(variant), bits,
-           what->name, distant ? "caps" : "spheres", tally.differences, tally.compared);
+           "%s f%d, %s of %ss: %zu differences in %zu samples of batches", variant_name(variant),
+           bits, what->name, shape->name, tally.differences, tally.compared);
 }
 
-static void check_wavefronts(const struct psc_variant *variant, const struct test_technique *what,
-                             int distant, int bits)
+static void check_wavefronts(const struct psc_variant *variant, const struct shape *shape,
+                             const struct test_technique *what, int bits)
 {
     struct tally tally = {{0}, 0, 0, {0}};
     int facing;
 
     for (facing = 0; facing < FACINGS; facing++) {
-        const struct wavefront w = {what, distant, facing > 0,
-                                    facing == 2 ? PSC_RECEIVER_TWO_SIDED : 0};
+        uint64_t state = 1;
+        struct light shared;
 
-        if (!offered(what, distant, facing))
+        if (!is_offered(what, facing))
             continue;
+        place_light(&state, shape, what, PLACE_ORDINARY, HORIZON_ANY, facing, &shared);
         snprintf(tally.what, sizeof tally.what, "wavefront, %s", facing_names[facing]);
-        if (bits == 64)
-            check_wavefront_f64(&tally, &w, variant);
-        else
-            check_wavefront_f32(&tally, &w, variant);
+        (bits == 64 ? check_wavefront_f64 : check_wavefront_f32)(&tally, &shared, variant);
     }
     tap_ok(tally.differences == 0 && tally.statuses[PSC_SUCCESS] > 100 &&
                tally.statuses[PSC_EMPTY] > 10 && tally.statuses[4] > 10,
-           "%s f%d, %s of %s: %zu differences in %zu samples of wavefronts", variant_name(variant), bits,
-           what->name, distant ? "caps" : "spheres", tally.differences, tally.compared);
+           "%s f%d, %s of %ss: %zu differences in %zu samples of wavefronts",
+           variant_name(variant), bits, what->name, shape->name, tally.differences,
+           tally.compared);
+}
+
+static void check_variant(const struct psc_variant *variant)
+{
+    const struct test_technique *what;
+    int i, bits;
+
+    for (bits = 64; bits >= 32; bits -= 32)
+        for (i = 0; shapes[i]; i++)
+            for (FOR_TECHNIQUES(shapes[i], what)) {
+                check_builds(variant, shapes[i], what, bits);
+                check_wavefronts(variant, shapes[i], what, bits);
+            }
 }
 
 int main(void)
 {
     unsigned v;
-    int t, distant, bits;
 
-    for (v = 0; v < variant_count(); v++) {
-        if (!variant_runs(v)) {
+    for (v = 0; v < variant_count(); v++)
+        if (variant_runs(v))
+            check_variant(variant_at(v));
+        else
             tap_skip("%s: not on this CPU", variant_name(variant_at(v)));
-            continue;
-        }
-        for (bits = 64; bits >= 32; bits -= 32)
-            for (t = 0; t < TEST_TECHNIQUES; t++)
-                for (distant = 0; distant <= test_techniques[t].distant; distant++) {
-                    check_builds(variant_at(v), &test_techniques[t], distant, bits);
-                    check_wavefronts(variant_at(v), &test_techniques[t], distant, bits);
-                }
-    }
     return tap_done();
 }

@@ -56,8 +56,9 @@ static void FN(make_source)(struct FN(source) *s, enum layout layout, size_t cou
     }
 }
 
-static FN(psc_input) FN(input)(const struct FN(source) *s, int first, int components)
+static FN(psc_input) FN(input)(const void *source, int first, int components)
 {
+    const struct FN(source) *s = source;
     FN(psc_input) input = {{NULL, NULL, NULL}, sizeof(real)};
     int c;
 
@@ -275,97 +276,104 @@ static void FN(check_light)(struct tally *tally, const struct light *light,
 
 /* ---- Wavefronts ---- */
 
-static struct FN(record) FN(single)(const struct wavefront *w, real (*values)[COUNT_MAX],
+static struct FN(record) FN(single)(const struct light *shared, real (*values)[COUNT_MAX],
                                     size_t i)
 {
+    struct light light = *shared;
     struct test_sampler memory;
     psc_sampler *sampler = make_sampler(&memory);
-    double geometry[UV];
+    double element[MAX_INPUTS];
     struct FN(record) record;
     int c;
 
     fill(&record, sizeof record);
-    for (c = 0; c < UV; c++)
-        geometry[c] = (double)values[c][i];
-    record.status = build_parts(sampler, w, geometry + POSITION, geometry + NORMAL,
-                                geometry + CENTER, geometry[RADIUS]);
+    for (c = 0; c < MAX_INPUTS; c++)
+        element[c] = (double)values[c][i];
+    from_values(element, &light);
+    record.status = build_light(sampler, &light);
     if (record.status == PSC_SUCCESS)
         record.status =
             FN(psc_sample)(sampler, values[UV][i], values[UV + 1][i], &record.sample);
     return record;
 }
 
-static psc_result FN(call)(const struct wavefront *w, size_t count,
-                           const FN(psc_receivers) *receivers, const FN(psc_input) *center,
-                           const FN(psc_input) *radius, const FN(psc_input) *uv,
-                           const FN(psc_samples) *out)
+/* Calls the wavefront of the shape on inputs that are found by their place among the values. */
+static void FN(check_call)(struct tally *tally, const struct light *shared, size_t count,
+                           FN(psc_input) (*input)(const void *, int, int), const void *source,
+                           struct FN(sink) *sink, const struct FN(record) *expected)
 {
-    const psc_technique technique = make_technique(w->what->measure, w->what->map);
+    const psc_technique technique = light_technique(shared);
+    const FN(psc_input) uv = input(source, UV, 2);
+    FN(psc_receivers) receivers = {.struct_size = sizeof receivers, .flags = shared->flags};
+    FN(psc_input) parts[PARTS_MAX];
+    const FN(psc_input) *in[PARTS_MAX];
+    psc_result result;
+    int k, at = GEOMETRY;
 
-    return w->distant ? FN(psc_cap_sample_n)(&technique, count, receivers, center, radius, uv, out)
-                      : FN(psc_sphere_sample_n)(&technique, count, receivers, center, radius, uv,
-                                                out);
+    receivers.position = input(source, POSITION, 3);
+    if (shared->has_normal)
+        receivers.normal = input(source, NORMAL, 3);
+    for (k = 0; k < part_count(shared->shape); k++) {
+        const int size = part_size(shared->shape->parts[k]);
+
+        parts[k] = input(source, at, size);
+        in[k] = parts + k;
+        at += size;
+    }
+    result = shared->shape->FN(wave)(&technique, count, &receivers, in, &uv, &sink->out);
+    if (result != PSC_SUCCESS)
+        tally_add(tally, 0, "result", result, PSC_SUCCESS);
+    else
+        FN(compare)(tally, sink, expected);
 }
 
-static void FN(check_count)(struct tally *tally, const struct wavefront *w, enum layout layout,
+static void FN(check_count)(struct tally *tally, const struct light *shared, enum layout layout,
                             unsigned wanted, size_t count, real (*values)[COUNT_MAX],
                             const struct FN(record) *expected)
 {
     struct FN(source) source;
     struct FN(sink) sink;
-    FN(psc_receivers) receivers = {.struct_size = sizeof receivers, .flags = w->flags};
-    FN(psc_input) center, radius, uv;
-    psc_result result;
 
-    FN(make_source)(&source, layout, count, MAX_INPUTS, values);
+    FN(make_source)(&source, layout, count, GEOMETRY + geometry_size(shared->shape), values);
     FN(make_sink)(&sink, layout, count, wanted);
-    receivers.position = FN(input)(&source, POSITION, 3);
-    if (w->has_normal)
-        receivers.normal = FN(input)(&source, NORMAL, 3);
-    center = FN(input)(&source, CENTER, 3);
-    radius = FN(input)(&source, RADIUS, 1);
-    uv = FN(input)(&source, UV, 2);
-    result = FN(call)(w, count, &receivers, &center, &radius, &uv, &sink.out);
-    if (result != PSC_SUCCESS)
-        tally_add(tally, 0, "result", result, PSC_SUCCESS);
-    else
-        FN(compare)(tally, &sink, expected);
+    FN(check_call)(tally, shared, count, FN(input), &source, &sink, expected);
     FN(free_sink)(&sink);
     FN(free_source)(&source);
 }
 
+/* Element 0 for all, but for the points of the square. */
+static FN(psc_input) FN(shared_input)(const void *source, int first, int components)
+{
+    const real *values = source;
+    FN(psc_input) input = {{NULL, NULL, NULL}, first == UV ? sizeof(real) : 0};
+    int c;
+
+    for (c = 0; c < components; c++)
+        input.component[c] = values + (first + c) * COUNT_MAX;
+    return input;
+}
+
 /* One light and one receiver for all elements, by strides of 0. */
-static void FN(check_shared)(struct tally *tally, const struct wavefront *w,
+static void FN(check_shared)(struct tally *tally, const struct light *shared,
                              real (*values)[COUNT_MAX])
 {
     struct FN(record) expected[REPEATED];
-    FN(psc_receivers) receivers = {.struct_size = sizeof receivers, .flags = w->flags};
-    FN(psc_input) inputs[4]; /* position, normal, center, radius */
-    const FN(psc_input) uv = {{values[UV], values[UV + 1], NULL}, sizeof(real)};
     struct FN(sink) sink;
     int i, c;
 
-    for (i = 0; i < 4; i++) {
-        inputs[i].stride = 0;
-        for (c = 0; c < 3; c++)
-            inputs[i].component[c] = i == 3 && c > 0 ? NULL : values[3 * i + c];
-    }
-    receivers.position = inputs[0];
-    if (w->has_normal)
-        receivers.normal = inputs[1];
     for (i = 0; i < REPEATED; i++) {
-        for (c = 0; c < UV; c++)
-            values[c][i] = values[c][0];
-        expected[i] = FN(single)(w, values, (size_t)i);
+        for (c = 0; c < MAX_INPUTS; c++)
+            if (c != UV && c != UV + 1)
+                values[c][i] = values[c][0];
+        expected[i] = FN(single)(shared, values, (size_t)i);
     }
     FN(make_sink)(&sink, LAYOUT_SEPARATE, REPEATED, ALL_COMPONENTS);
-    FN(call)(w, REPEATED, &receivers, inputs + 2, inputs + 3, &uv, &sink.out);
-    FN(compare)(tally, &sink, expected);
+    FN(check_call)(tally, shared, REPEATED, FN(shared_input), values, &sink, expected);
     FN(free_sink)(&sink);
 }
 
 /* Mixed lights in one array, against single ones of the first variant. */
-static void FN(check_wavefront)(struct tally *tally, const struct wavefront *w,
+static void FN(check_wavefront)(struct tally *tally, const struct light *shared,
                                 const struct psc_variant *variant)
 {
     static real values[MAX_INPUTS][COUNT_MAX];
@@ -377,16 +385,16 @@ static void FN(check_wavefront)(struct tally *tally, const struct wavefront *w,
     for (i = 0; i < COUNT_MAX; i++) {
         double element[MAX_INPUTS];
 
-        make_element(w, i, element);
+        make_element(shared, i, element);
         for (c = 0; c < MAX_INPUTS; c++)
             values[c][i] = (real)element[c];
-        expected[i] = FN(single)(w, values, i);
+        expected[i] = FN(single)(shared, values, i);
         tally->statuses[expected[i].status < 0 ? 4 : expected[i].status]++;
     }
     variant_use(variant);
     for (count = 0; count <= COUNT_MAX; count = next_count(count))
         for (layout = 0; layout < LAYOUTS; layout++)
-            FN(check_count)(tally, w, layout, some_components(count + (size_t)layout), count,
+            FN(check_count)(tally, shared, layout, some_components(count + (size_t)layout), count,
                             values, expected);
-    FN(check_shared)(tally, w, values);
+    FN(check_shared)(tally, shared, values);
 }

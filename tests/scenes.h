@@ -7,37 +7,11 @@
 
 #include "caps.h"
 #include "quad.h"
+#include "vectors.h"
 
 struct scene {
     double position[3], normal[3], center[3], radius;
 };
-
-static inline void cross(const double a[3], const double b[3], double c[3])
-{
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-static inline double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/* A unit vector at a right angle to n, to rounding. */
-static inline void random_across(uint64_t *state, const double n[3], double across[3])
-{
-    double v[3], length;
-    int i;
-
-    do {
-        random_unit(state, v);
-        cross(n, v, across);
-        length = sqrt(dot(across, across));
-    } while (length < 0.1);
-    for (i = 0; i < 3; i++)
-        across[i] /= length;
-}
 
 /* A sphere whose surface is gap radii away from the receiver (negative: around it), with its
    centre at the sine of elevation over the horizon. The receiver, the sphere or neither is at

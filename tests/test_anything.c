@@ -4,15 +4,11 @@
  * samples: unit directions and normals, densities and weights that are numbers, inverses inside
  * the square; in both precisions.
  */
-#include <math.h>
-#include <string.h>
-
-#include <psc/psc.h>
-
-#include "random.h"
+#include "shapes.h"
 #include "tap.h"
+#include "vectors.h"
 
-enum { BUILDS = 400000 };
+enum { BUILDS = 150000 };
 
 static double anything(uint64_t *seed)
 {
@@ -20,16 +16,11 @@ static double anything(uint64_t *seed)
 
     switch (random_below(seed, 5)) {
     case 0: return 0.0;
-    case 1: return ldexp(x, (int)random_below(seed, 80) - 40);
+    case 1: return ldexp(x, random_below(seed, 80) - 40);
     case 2: return x;
     case 3: return (double)random_below(seed, 5) - 2.0;
-    default: return ldexp(x, (int)random_below(seed, 60) - 30);
+    default: return ldexp(x, random_below(seed, 60) - 30);
     }
-}
-
-static double length2(const double v[3])
-{
-    return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
 }
 
 static int is_sample(const psc_sampler *sampler, double u, double v)
@@ -47,52 +38,87 @@ static int is_sample(const psc_sampler *sampler, double u, double v)
     psc_invert_f64(sampler, wide.direction, uv);
     for (i = 0; i < 3; i++)
         narrow[i] = (double)sample.direction[i];
-    return fabs(length2(wide.direction) - 1.0) < 1e-13 && fabs(length2(narrow) - 1.0) < 2e-6 &&
-           fabs(length2(wide.normal) - 1.0) < 1e-9 && wide.weight >= 0.0 && wide.pdf >= 0.0 &&
+    return fabs(dot(wide.direction, wide.direction) - 1.0) < 1e-13 && fabs(dot(narrow, narrow) - 1.0) < 2e-6 &&
+           fabs(dot(wide.normal, wide.normal) - 1.0) < 1e-9 && wide.weight >= 0.0 && wide.pdf >= 0.0 &&
            pdf >= 0.0 && uv[0] >= 0.0 && uv[0] <= 1.0 && uv[1] >= 0.0 && uv[1] <= 1.0;
+}
+
+/* Numbers of any kind in every place. */
+static void any_numbers(uint64_t *seed, struct light *light)
+{
+    double *g = light->geometry;
+    const char *part;
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        light->position[i] = random_below(seed, 3) ? anything(seed) : 0.0;
+        light->normal[i] = anything(seed);
+    }
+    for (part = light->shape->parts; *part; g += part_size(*part), part++)
+        for (i = 0; i < part_size(*part); i++)
+            g[i] = *part == 'a'   ? ldexp(1.57 * random_uniform(seed), -random_below(seed, 40))
+                   : *part == 'r' ? fabs(anything(seed))
+                                  : anything(seed);
+    light->has_normal = random_below(seed, 8) > 0;
+    light->flags = light->has_normal && random_below(seed, 2) ? PSC_RECEIVER_TWO_SIDED : 0;
+}
+
+/* The receiver comes as close to the surface as numbers can. */
+static void approach(uint64_t *seed, struct light *light)
+{
+    const double near = 1.0 + ldexp(random_uniform(seed) - 0.5, -random_below(seed, 60));
+    double to[3], along;
+    int i;
+
+    subtract3(light->geometry, light->position, to);
+    along = light->shape->hit(light->geometry, light->position, to);
+    for (i = 0; i < 3 && along > 0.0 && isfinite(along); i++)
+        light->position[i] += near * along * to[i];
+}
+
+static void any_light(uint64_t *seed, const struct shape *shape, struct light *light)
+{
+    const struct test_technique *what = shape->techniques;
+
+    while (what[1].name && random_below(seed, 3))
+        what++;
+    random_hard_light(seed, shape, what, light);
+    if (!shape->joined && random_below(seed, 4)) /* whose points lie in no plane then */
+        any_numbers(seed, light);
+    if (!is_distant(shape) && random_below(seed, 4) == 0)
+        approach(seed, light);
+}
+
+static void builds(const struct shape *shape)
+{
+    struct test_sampler s;
+    long built = 0, odd = 0;
+    uint64_t seed = 120;
+    int i;
+
+    make_sampler(&s);
+    for (i = 0; i < BUILDS; i++) {
+        struct light light;
+        double u, v;
+
+        any_light(&seed, shape, &light);
+        u = random_below(&seed, 4) ? random_uniform(&seed) : (double)random_below(&seed, 2);
+        v = random_below(&seed, 4) ? random_uniform(&seed) : 0.5 * (double)random_below(&seed, 3);
+        if (build_light(s.sampler, &light) != PSC_SUCCESS)
+            continue;
+        built++;
+        if (!is_sample(s.sampler, u, v) && odd++ == 0)
+            tap_note("    build %d: %s u %a v %a", i, describe_light(&light), u, v);
+    }
+    tap_ok(odd == 0 && built > BUILDS / 4, "%s: %ld of %ld samples are none", shape->name, odd,
+           built);
 }
 
 int main(void)
 {
-    long built = 0, odd = 0;
-    psc_sampler_storage storage;
-    psc_sampler *sampler;
-    uint64_t seed = 120;
-    int i, k;
+    int i;
 
-    psc_sampler_init(&storage, sizeof storage, &sampler);
-    for (i = 0; i < BUILDS; i++) {
-        double position[3], normal[3], vector[3], size, u, v;
-        const int distant = random_below(&seed, 3) == 0;
-        const psc_receiver receiver = {sizeof receiver, (uint32_t)random_below(&seed, 2), position,
-                                       random_below(&seed, 8) ? normal : NULL};
-        const psc_technique technique = {sizeof technique, (uint32_t)random_below(&seed, 4),
-                                         (uint32_t)random_below(&seed, 3), 0};
-
-        for (k = 0; k < 3; k++) {
-            position[k] = random_below(&seed, 3) ? anything(&seed) : 0.0;
-            normal[k] = anything(&seed);
-            vector[k] = anything(&seed);
-        }
-        size = distant ? ldexp(1.57 * random_uniform(&seed), -(int)random_below(&seed, 40))
-                       : fabs(anything(&seed));
-        if (!distant && random_below(&seed, 4) == 0) { /* close to the surface */
-            for (k = 0; k < 3; k++)
-                vector[k] = position[k];
-            vector[random_below(&seed, 3)] +=
-                size * (1.0 + ldexp(random_uniform(&seed) - 0.5, -(int)random_below(&seed, 60)));
-        }
-        u = random_below(&seed, 4) ? random_uniform(&seed) : (double)random_below(&seed, 2);
-        v = random_below(&seed, 4) ? random_uniform(&seed) : 0.5 * (double)random_below(&seed, 3);
-        if ((distant ? psc_build_cap : psc_build_sphere)(sampler, &technique, &receiver, vector,
-                                                         size) != PSC_SUCCESS)
-            continue;
-        built++;
-        if (!is_sample(sampler, u, v) && odd++ == 0)
-            tap_note("    build %d: position %a %a %a normal %a %a %a vector %a %a %a size %a "
-                     "u %a v %a", i, position[0], position[1], position[2], normal[0], normal[1],
-                     normal[2], vector[0], vector[1], vector[2], size, u, v);
-    }
-    tap_ok(odd == 0 && built > BUILDS / 4, "%ld of %ld samples are none", odd, built);
+    for (i = 0; shapes[i]; i++)
+        builds(shapes[i]);
     return tap_done();
 }

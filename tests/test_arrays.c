@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
  * The array calls give, element for element and to the bit, what the calls for one give: for
- * every technique, for counts around the widths of vectors, in all layouts, with outputs that
+ * every shape and technique, for counts around the widths of vectors, in all layouts, with outputs that
  * are wanted in part or not at all.
  */
 #include <stdlib.h>
 
-#include "lights.h"
+#include "shapes.h"
 #include "tap.h"
 
 #define REAL float
@@ -24,12 +24,14 @@
 
 int main(void)
 {
+    const struct test_technique *what;
     int i;
 
-    for (i = 0; i < TEST_TECHNIQUES; i++) {
-        arrays_f32(&test_techniques[i]);
-        arrays_f64(&test_techniques[i]);
-    }
+    for (i = 0; shapes[i]; i++)
+        for (FOR_TECHNIQUES(shapes[i], what)) {
+            arrays_f32(shapes[i], what);
+            arrays_f64(shapes[i], what);
+        }
     refusals_f32();
     refusals_f64();
     return tap_done();

@@ -6,6 +6,7 @@
 #include "angles.h"
 #include "caps.h"
 #include "place.h"
+#include "shapes.h"
 #include "worst.h"
 
 enum { CAPS = 1000, SAMPLES = 6 };
@@ -112,10 +113,9 @@ static void sweep(const struct test_technique *what)
 
 int main(void)
 {
-    int i;
+    const struct test_technique *what;
 
-    for (i = 0; i < TEST_TECHNIQUES; i++)
-        if (test_techniques[i].distant)
-            sweep(&test_techniques[i]);
+    for (FOR_TECHNIQUES(&shape_cap, what))
+        sweep(what);
     return tap_done();
 }

@@ -5,10 +5,11 @@
  *
  * The area of an image is the integral around its outline in a plane to which the measure is
  * carried over exactly: the tangent plane of the receiver for projected solid angle (projection
- * keeps cosine times solid angle), Lambert's azimuthal plane for solid angle, and the same for
- * the normals of the sphere for its area.
+ * keeps cosine times solid angle), Lambert's azimuthal plane for solid angle, for the area of a
+ * flat light its own plane, and for that of a sphere Lambert's plane again, of its normals.
  */
-#include "lights.h"
+#include "shapes.h"
+#include "vectors.h"
 #include "worst.h"
 
 enum { LIGHTS = 25, N = 6, STEPS = 256 };
@@ -21,29 +22,45 @@ struct plane {
 
 static void scale_to_unit(double v[3])
 {
-    double length = sqrt(dot(v, v));
-    int i;
-
-    for (i = 0; i < 3; i++)
-        v[i] /= length;
+    scale3(v, 1.0 / sqrt(dot(v, v)), v);
 }
 
-/* The direction that is looked at, or the normal of the sphere. */
+static int is_area(const struct plane *p)
+{
+    return p->light->what->measure >= PSC_MEASURE_AREA;
+}
+
+/* Whether a plane takes the points as they are, or directions of any kind by Lambert's map. */
+static int is_plain(const struct plane *p)
+{
+    return p->light->what->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE ||
+           (is_area(p) && p->light->shape->flat);
+}
+
+/* The direction that is looked at; for area the point of a flat light, the normal of a sphere. */
 static void look(const struct plane *p, double u, double v, double w[3])
 {
     psc_light_sample_f64 s;
 
     psc_sample_f64(p->sampler, u, v, &s);
-    memcpy(w, p->light->what->measure >= PSC_MEASURE_AREA ? s.normal : s.direction,
-           sizeof s.direction);
+    if (is_area(p) && p->light->shape->flat)
+        subtract3(s.point, p->light->middle, w);
+    else
+        memcpy(w, is_area(p) ? s.normal : s.direction, sizeof s.direction);
 }
 
-/* The plane touches the sphere of directions at the receiver's normal, or in the cell itself. */
+/* The plane of the light, or one that touches the sphere of directions at the receiver's normal
+   or in the cell itself. */
 static void make_plane(uint64_t *state, double u, double v, struct plane *p)
 {
+    psc_light_sample_f64 s;
+
     if (p->light->what->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE)
-        memcpy(p->center, p->light->scene.normal, sizeof p->center);
-    else
+        memcpy(p->center, p->light->normal, sizeof p->center);
+    else if (is_plain(p)) {
+        psc_sample_f64(p->sampler, u, v, &s);
+        memcpy(p->center, s.normal, sizeof p->center);
+    } else
         look(p, u, v, p->center);
     scale_to_unit(p->center);
     random_across(state, p->center, p->x);
@@ -57,13 +74,13 @@ static void to_plane(const struct plane *p, double u, double v, double xy[2])
     int i;
 
     look(p, u, v, w);
-    if (p->light->what->measure != PSC_MEASURE_PROJECTED_SOLID_ANGLE) {
+    if (!is_plain(p)) {
         for (i = 0; i < 3; i++)
             sum[i] = w[i] + p->center[i];
         scale = 2.0 / sqrt(dot(sum, sum)); /* sqrt(2 / (1 + cosine)) */
     }
-    if (p->light->what->measure >= PSC_MEASURE_AREA)
-        scale *= p->light->scene.radius;
+    if (is_area(p) && !is_plain(p))
+        scale *= p->light->reach; /* the radius of the sphere */
     xy[0] = scale * dot(w, p->x);
     xy[1] = scale * dot(w, p->y);
 }
@@ -104,7 +121,7 @@ static double cell_area(const struct plane *p, int column, int row)
     return fabs(fine + (fine - coarse) / 3.0);
 }
 
-static void cells(const struct test_technique *what)
+static void cells(const struct shape *shape, const struct test_technique *what)
 {
     struct worst worst = {0};
     uint64_t seed = 70;
@@ -116,7 +133,7 @@ static void cells(const struct test_technique *what)
         struct plane plane;
         double total;
 
-        random_light(&seed, what, &light);
+        random_light(&seed, shape, what, &light);
         light.flags = 0; /* two-sided lights are two such pictures, with a cell across the seam */
         if (build_light(make_sampler(&s), &light) != PSC_SUCCESS)
             continue;
@@ -130,14 +147,16 @@ static void cells(const struct test_technique *what)
                           "light %d cell %d, %d: %s", i, column, row, describe_light(&light));
             }
     }
-    worst_report(&worst, 1e-6, "%s: area of a cell, relative", what->name);
+    worst_report(&worst, 1e-6, "%s, %s: area of a cell, relative", shape->name, what->name);
 }
 
 int main(void)
 {
+    const struct test_technique *what;
     int i;
 
-    for (i = 0; i < TEST_TECHNIQUES; i++)
-        cells(&test_techniques[i]);
+    for (i = 0; shapes[i]; i++)
+        for (FOR_TECHNIQUES(shapes[i], what))
+            cells(shapes[i], what);
     return tap_done();
 }

@@ -7,7 +7,8 @@
  * (those below the horizon of a two-sided receiver apart). For solid angle and area they are
  * rings about the light's axis, cut into sectors. Also counted: that nothing falls outside.
  */
-#include "lights.h"
+#include "shapes.h"
+#include "vectors.h"
 #include "worst.h"
 
 enum { ROWS = 11, COLUMNS = 13, SIDES = 2, SAMPLES = 200000, CUTS = 4000 };
@@ -194,13 +195,14 @@ int main(void)
 {
     static const double angles[][2] = {{0.5, 1.2}, {0.8, 0.4}, {0.8, 0.02}, {0.8, -0.3},
                                        {0.8, -0.7}, {1.4, -0.2}};
-    int i, two;
+    const struct test_technique *what;
     size_t j;
+    int two;
 
-    for (i = 0; i < TEST_TECHNIQUES; i++)
+    for (FOR_TECHNIQUES(&shape_sphere, what))
         for (j = 0; j < sizeof angles / sizeof angles[0]; j++)
             for (two = 0; two < 2; two++) {
-                struct setting s = {&test_techniques[i], 0, 0.0, 0.0};
+                struct setting s = {what, 0, 0.0, 0.0};
                 int projected = s.what->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE;
                 if (!projected && j % 3)
                     continue; /* the elevation makes no difference */

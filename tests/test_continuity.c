@@ -9,7 +9,9 @@
  * lune's tip degenerates to a line. There the mean is what is bounded.
  */
 #include "angles.h"
-#include "lights.h"
+#include "caps.h"
+#include "shapes.h"
+#include "vectors.h"
 #include "worst.h"
 
 enum { POINTS = 400 };
@@ -132,11 +134,9 @@ static void surface(const struct test_technique *what)
 
 int main(void)
 {
-    int i;
+    const struct test_technique *what;
 
-    for (i = 0; i < TEST_TECHNIQUES; i++) {
-        const struct test_technique *what = &test_techniques[i];
-
+    for (FOR_TECHNIQUES(&shape_sphere, what)) {
         if (what->measure <= PSC_MEASURE_PROJECTED_SOLID_ANGLE)
             surface(what);
         if (what->measure != PSC_MEASURE_PROJECTED_SOLID_ANGLE)

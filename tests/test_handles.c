@@ -4,8 +4,9 @@
  * results are called; the function table.
  */
 #include <limits.h>
+#include <stdlib.h>
 
-#include "lights.h"
+#include "shapes.h"
 #include "tap.h"
 
 static const double origin[3] = {0.0, 0.0, 0.0}, up[3] = {0.0, 0.0, 1.0};
@@ -121,9 +122,9 @@ static void allocators(void)
     struct { psc_allocator a; uint64_t more[2]; } later;
     struct account account;
     psc_allocator allocator = make_allocator(&account);
+    const struct test_technique *what;
     psc_sampler *s;
     uint32_t size;
-    int i;
 
     tap_ok(psc_sampler_create(&allocator, NULL) == PSC_ERROR_NULL_POINTER &&
                account.allocated == 0, "create: no place for it");
@@ -160,13 +161,13 @@ static void allocators(void)
     tap_ok(account.allocated == 1 && account.size >= psc_sampler_size() &&
                account.align == psc_sampler_align(), "one allocation, of the right size");
     memset(&allocator, 0, sizeof allocator); /* it was copied */
-    for (i = 0; i < TEST_TECHNIQUES; i++) {
+    for (FOR_TECHNIQUES(&shape_sphere, what)) {
         const double center[3] = {0.5, 0.0, 0.3};
         psc_light_sample_f64 sample;
 
-        build_sphere(s, &test_techniques[i], 0, origin, up, center, 0.4);
+        build_sphere(s, what, 0, origin, up, center, 0.4);
         psc_sample_f64(s, 0.5, 0.5, &sample);
-        build_sphere(s, &test_techniques[i], 0, origin, up, center, -1.0);
+        build_sphere(s, what, 0, origin, up, center, -1.0);
     }
     tap_ok(account.allocated == 1 && account.released == 0, "building allocates nothing");
     psc_sampler_destroy(s);
@@ -177,23 +178,26 @@ static void allocators(void)
 
 /* ---- Copies */
 
-static void copies(void)
+static void copies(const struct shape *shape)
 {
-    const double center[3] = {0.5, 0.1, 0.3};
-    int i;
+    const struct test_technique *what;
 
-    for (i = 0; i < TEST_TECHNIQUES; i++) {
+    for (FOR_TECHNIQUES(shape, what)) {
+        uint64_t seed = 10;
         struct test_sampler here;
         psc_sampler_storage there;
         psc_light_sample_f64 a, b;
+        struct light light;
 
-        build_sphere(make_sampler(&here), &test_techniques[i], 0, origin, up, center, 0.4);
+        memset(&a, 0, sizeof a);
+        place_light(&seed, shape, what, PLACE_ORDINARY, HORIZON_CUT, FACING_ONE, &light);
+        build_light(make_sampler(&here), &light);
         psc_sample_f64(here.sampler, 0.3, 0.6, &a);
         memcpy(&there, &here.storage, psc_sampler_size());
         memset(&here.storage, 0xff, sizeof here.storage);
         psc_sample_f64((psc_sampler *)(void *)&there, 0.3, 0.6, &b);
-        tap_ok(memcmp(&a, &b, sizeof a) == 0, "a copy samples the same: %s",
-               test_techniques[i].name);
+        tap_ok(memcmp(&a, &b, sizeof a) == 0 && a.pdf > 0.0, "a copy samples the same: %s, %s",
+               shape->name, what->name);
     }
 }
 
@@ -245,10 +249,13 @@ static void table(void)
 
 int main(void)
 {
+    int i;
+
     results();
     memory();
     allocators();
-    copies();
+    for (i = 0; shapes[i]; i++)
+        copies(shapes[i]);
     table();
     return tap_done();
 }

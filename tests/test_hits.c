@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Every sample is one: finite, of unit length, inside the light, its point on the sphere and
- * where the direction says, with its normal; at the ends of the square, from inside, from the
+ * Every sample is one: finite, of unit length, its point on the light and where the direction
+ * says, with its normal and texture coordinates; at the ends of the square, from inside, from the
  * surface, from both sides of the receiver, close by and far away.
  */
-#include "lights.h"
+#include "shapes.h"
+#include "vectors.h"
 #include "worst.h"
 
 enum { LIGHTS = 400, SAMPLES = 12 };
 
 struct errors {
-    struct worst unit, normal_unit, on_sphere, along, normal, weight;
+    struct worst unit, normal_unit, on_surface, along, normal, weight, texture;
     long odd; /* something that no sample may be */
-    char first_odd[400];
+    char first_odd[sizeof ((struct worst *)0)->where];
 };
 
 static double unit_of(int bits)
@@ -30,71 +31,92 @@ static double largest(const double v[3])
     return fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
 }
 
-/* Of the area measures the pdf grows beyond all numbers towards the limb. */
-static int finite_sample(const psc_light_sample_f64 *s, int distant, int area)
+static double distance(const double a[3], const double b[3])
 {
+    double d[3];
+
+    subtract3(a, b, d);
+    return sqrt(dot(d, d));
+}
+
+/* Of the area measures the pdf grows beyond all numbers where the surface is seen edge-on. */
+static int finite_sample(const psc_light_sample_f64 *s, const struct light *light)
+{
+    const int area = light->what->measure >= PSC_MEASURE_AREA;
     double sum = s->weight + s->surface[0] + s->surface[1];
     int i;
 
     if (!(area && s->weight < 1e-30))
         sum += s->pdf;
-
     for (i = 0; i < 3; i++)
         sum += s->direction[i] + s->point[i] + s->normal[i];
-    return s->pdf >= 0.0 && s->weight >= 0.0 && isfinite(sum) && s->surface[0] == 0.0 &&
-           s->surface[1] == 0.0 && (distant ? isinf(s->distance) : isfinite(s->distance));
+    return s->pdf >= 0.0 && s->weight >= 0.0 && isfinite(sum) &&
+           (is_distant(light->shape) ? isinf(s->distance) : isfinite(s->distance));
+}
+
+/* The weight times the pdf is the cosine. */
+static double expected_cosine(const struct light *light, const psc_light_sample_f64 *s)
+{
+    double cosine;
+
+    if (!light->has_normal)
+        return 1.0;
+    cosine = dot(s->direction, light->normal) / sqrt(dot(light->normal, light->normal));
+    return light->flags ? fabs(cosine) : fmax(cosine, 0.0);
 }
 
 static void check(int bits, const struct light *light, double u, double v, psc_result result,
                   const psc_light_sample_f64 *s, struct errors *e)
 {
     const char *text = "%s f%d u %a v %a", *name = describe_light(light);
-    const struct scene *scene = &light->scene;
-    double unit = unit_of(bits), from_center[3], expected[3], off[3], reach, radius, cosine;
-    int i, area = light->what->measure >= PSC_MEASURE_AREA;
+    const struct shape *shape = light->shape;
+    const double unit = unit_of(bits);
+    double normal[3], other[3], reach, off;
+    int i;
 
-    if (!((result == PSC_SUCCESS || result == PSC_CULLED) &&
-          finite_sample(s, light->distant, area)) ||
-        (result == PSC_CULLED) != (s->weight == 0.0)) {
+    if (!((result == PSC_SUCCESS || result == PSC_CULLED) && finite_sample(s, light)) ||
+        (result == PSC_CULLED) != (s->weight == 0.0) ||
+        (!shape->texture && (s->surface[0] != 0.0 || s->surface[1] != 0.0))) {
         e->odd++;
         snprintf(e->first_odd, sizeof e->first_odd, text, name, bits, u, v);
     }
     worst_add(&e->unit, off_unit(s->direction) / unit, text, name, bits, u, v);
     worst_add(&e->normal_unit, off_unit(s->normal) / unit, text, name, bits, u, v);
-    if (light->has_normal) {
-        /* weight times pdf is the cosine */
-        double length = sqrt(dot(scene->normal, scene->normal));
-        cosine = dot(s->direction, scene->normal) / length;
-        cosine = light->flags ? fabs(cosine) : fmax(cosine, 0.0);
-        if (result == PSC_SUCCESS && isfinite(s->pdf))
-            worst_add(&e->weight, fabs(s->weight * s->pdf - cosine) / unit, text, name, bits, u,
-                      v);
-    } else if (result == PSC_SUCCESS && isfinite(s->pdf)) {
-        worst_add(&e->weight, fabs(s->weight * s->pdf - 1.0) / unit, text, name, bits, u, v);
-    }
-    if (light->distant) {
+    if (result == PSC_SUCCESS && isfinite(s->pdf))
+        worst_add(&e->weight, fabs(s->weight * s->pdf - expected_cosine(light, s)) / unit, text,
+                  name, bits, u, v);
+    off = shape->surface(light->geometry, s->point, normal);
+    if (is_distant(shape)) {
         for (i = 0; i < 3; i++)
-            if (s->point[i] != s->direction[i] || s->normal[i] != -s->direction[i])
+            if (s->point[i] != s->direction[i] || s->normal[i] != normal[i])
                 e->odd++;
         return;
     }
-    radius = scene->radius;
     /* coordinates round by their own size: the point that is meant is within that */
-    reach = largest(scene->center) + largest(scene->position) + radius + s->distance;
-    for (i = 0; i < 3; i++) {
-        from_center[i] = s->point[i] - scene->center[i];
-        expected[i] = scene->position[i] + s->distance * s->direction[i];
-        off[i] = s->point[i] - expected[i];
-    }
-    worst_add(&e->on_sphere, fabs(sqrt(dot(from_center, from_center)) - radius) / (reach * unit),
-              text, name, bits, u, v);
-    worst_add(&e->along, sqrt(dot(off, off)) / (reach * unit), text, name, bits, u, v);
+    reach = largest(light->middle) + largest(light->position) + light->reach + s->distance;
+    worst_add(&e->on_surface, off / (reach * unit), text, name, bits, u, v);
     for (i = 0; i < 3; i++)
-        off[i] = from_center[i] - radius * s->normal[i];
-    worst_add(&e->normal, sqrt(dot(off, off)) / (reach * unit), text, name, bits, u, v);
+        other[i] = light->position[i] + s->distance * s->direction[i];
+    worst_add(&e->along, distance(s->point, other) / (reach * unit), text, name, bits, u, v);
+    off = distance(s->normal, normal) * (shape->flat ? 1.0 : light->reach / reach);
+    worst_add(&e->normal, off / unit, text, name, bits, u, v);
+    if (shape->texture) {
+        shape->texture(light->geometry, s->surface, other);
+        worst_add(&e->texture, distance(s->point, other) / (reach * unit), text, name, bits, u, v);
+    }
 }
 
-static void hits(const struct test_technique *what, int bits)
+static void any_light(uint64_t *seed, int i, const struct shape *shape,
+                      const struct test_technique *what, struct light *light)
+{
+    switch (i % 8) {
+    case 0: exact_light(seed, shape, what, light); break;
+    case 4: random_hard_light(seed, shape, what, light); break;
+    default: random_light(seed, shape, what, light); break;
+    }
+}
+
+static void hits(const struct shape *shape, const struct test_technique *what, int bits)
 {
     static const double ends[4] = {0.0, 1.0, 0x1p-149, 1.0 - 0x1p-24};
     struct errors e;
@@ -106,15 +128,7 @@ static void hits(const struct test_technique *what, int bits)
         struct test_sampler s;
         struct light light;
 
-        random_light(&seed, what, &light);
-        if (i % 4 == 0 && !light.distant) { /* harder ones, and on the surface exactly */
-            random_scene(&seed, &light.scene);
-            if (i % 8 == 0) {
-                memset(light.scene.position, 0, sizeof light.scene.position);
-                memset(light.scene.center, 0, sizeof light.scene.center);
-                light.scene.center[random_below(&seed, 3)] = light.scene.radius;
-            }
-        }
+        any_light(&seed, i, shape, what, &light);
         if (build_light(make_sampler(&s), &light) != PSC_SUCCESS)
             continue;
         for (j = 0; j < SAMPLES + 16; j++) {
@@ -131,24 +145,33 @@ static void hits(const struct test_technique *what, int bits)
             check(bits, &light, u, v, result, &sample, &e);
         }
     }
-    if (!tap_ok(e.odd == 0, "%s, f%d: %ld results that are no samples", what->name, bits, e.odd))
+    if (!tap_ok(e.odd == 0, "%s, %s, f%d: %ld results that are no samples", shape->name,
+                what->name, bits, e.odd))
         tap_note("    at %s", e.first_odd);
-    worst_report(&e.unit, 8.0, "%s, f%d: unit direction, in roundings", what->name, bits);
-    worst_report(&e.normal_unit, 16.0, "%s, f%d: unit normal, in roundings", what->name, bits);
-    worst_report(&e.weight, 32.0, "%s, f%d: weight times pdf, in roundings", what->name, bits);
-    worst_report(&e.on_sphere, 16.0, "%s, f%d: point on the sphere, in roundings", what->name,
-                 bits);
-    worst_report(&e.along, 16.0, "%s, f%d: point along the direction, in roundings", what->name,
-                 bits);
-    worst_report(&e.normal, 16.0, "%s, f%d: normal at the point, in roundings", what->name, bits);
+#define REPORT(field, bound, words)                                                          \
+    worst_report(&e.field, bound, "%s, %s, f%d: " words ", in roundings", shape->name,       \
+                 what->name, bits)
+    REPORT(unit, 8.0, "unit direction");
+    REPORT(normal_unit, 16.0, "unit normal");
+    REPORT(weight, 32.0, "weight times pdf");
+    if (!is_distant(shape)) {
+        REPORT(on_surface, 16.0, "point on the light");
+        REPORT(along, 16.0, "point along the direction");
+        REPORT(normal, 16.0, "normal at the point");
+    }
+    if (shape->texture)
+        REPORT(texture, 16.0, "point of the texture coordinates");
+#undef REPORT
 }
 
 int main(void)
 {
+    const struct test_technique *what;
     int i, bits;
 
-    for (i = 0; i < TEST_TECHNIQUES; i++)
-        for (bits = 32; bits <= 64; bits += 32)
-            hits(&test_techniques[i], bits);
+    for (i = 0; shapes[i]; i++)
+        for (FOR_TECHNIQUES(shapes[i], what))
+            for (bits = 32; bits <= 64; bits += 32)
+                hits(shapes[i], what, bits);
     return tap_done();
 }

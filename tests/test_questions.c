@@ -3,100 +3,164 @@
  * Questions: what a sampler says of its light, what the functions without a sampler say, and
  * that both say the same; errors of the latter.
  */
-#include "lights.h"
+#include "shapes.h"
 #include "worst.h"
 
 static const double origin[3] = {0.0, 0.0, 0.0}, up[3] = {0.0, 0.0, 1.0};
 static const double center[3] = {1.0, 2.0, 3.0};
 
-static void expect_value(const char *what, psc_result result, psc_result expected,
-                         const double *value, double left)
+/* ---- Without a sampler ---- */
+
+static void expect_value(const char *shape, const char *what, psc_result result,
+                         psc_result expected, const double *value)
 {
-    tap_ok(result == expected, "%s: %s", what, psc_result_string(expected));
-    tap_ok(expected < 0 ? *value == left : expected == PSC_EMPTY ? *value == 0.0 : *value > 0.0,
-           "%s: %s is written", what, expected < 0 ? "nothing" : "the value");
+    tap_ok(result == expected, "%s, %s: %s", shape, what, psc_result_string(expected));
+    tap_ok(expected < 0             ? *value == 7.0
+           : expected == PSC_EMPTY ? *value == 0.0
+                                   : *value > 0.0,
+           "%s, %s: %s is written", shape, what, expected < 0 ? "nothing" : "the value");
 }
 
-static void handle_free(void)
+static void expect_solid_angle(const struct light *light, const char *what, psc_result expected)
 {
-    const double bad[3] = {0.0, NAN, 0.0}, far[3] = {0.0, INFINITY, 0.0};
-    psc_receiver receiver = make_receiver(origin, up, 0);
-    double v = 7.0;
+    double value = 7.0;
+    const psc_result result =
+        light->shape->solid_angle(light->position, light->geometry, &value);
 
-    expect_value("sphere solid angle", psc_sphere_solid_angle(origin, center, 0.5, &v), 0, &v, 7.0);
-    v = 7.0;
-    expect_value("sphere solid angle, NULL",
-                 psc_sphere_solid_angle(NULL, center, 0.5, &v), PSC_ERROR_NULL_POINTER, &v, 7.0);
-    expect_value("sphere solid angle, NULL",
-                 psc_sphere_solid_angle(origin, NULL, 0.5, &v), PSC_ERROR_NULL_POINTER, &v, 7.0);
-    expect_value("sphere solid angle, NULL",
-                 psc_sphere_solid_angle(origin, center, 0.5, NULL), PSC_ERROR_NULL_POINTER, &v,
-                 7.0);
-    expect_value("sphere solid angle, NaN", psc_sphere_solid_angle(bad, center, 0.5, &v),
-                 PSC_ERROR_NOT_FINITE, &v, 7.0);
-    expect_value("sphere solid angle, infinity", psc_sphere_solid_angle(origin, far, 0.5, &v),
-                 PSC_ERROR_NOT_FINITE, &v, 7.0);
-    expect_value("sphere solid angle, NaN", psc_sphere_solid_angle(origin, center, NAN, &v),
-                 PSC_ERROR_NOT_FINITE, &v, 7.0);
-    expect_value("sphere solid angle, negative", psc_sphere_solid_angle(origin, center, -1.0, &v),
-                 PSC_ERROR_NEGATIVE_SIZE, &v, 7.0);
-    expect_value("sphere solid angle, zero", psc_sphere_solid_angle(origin, center, 0.0, &v),
-                 PSC_EMPTY, &v, 7.0);
-    expect_value("cap solid angle", psc_cap_solid_angle(0.5, &v), PSC_SUCCESS, &v, 7.0);
-    v = 7.0;
-    expect_value("cap solid angle, NULL", psc_cap_solid_angle(0.5, NULL), PSC_ERROR_NULL_POINTER,
-                 &v, 7.0);
-    expect_value("cap solid angle, NaN", psc_cap_solid_angle(NAN, &v), PSC_ERROR_NOT_FINITE, &v,
-                 7.0);
-    expect_value("cap solid angle, above pi", psc_cap_solid_angle(3.2, &v), PSC_ERROR_HALF_ANGLE,
-                 &v, 7.0);
-    expect_value("cap solid angle, negative", psc_cap_solid_angle(-0.1, &v),
-                 PSC_ERROR_NEGATIVE_SIZE, &v, 7.0);
-    expect_value("cap solid angle, zero", psc_cap_solid_angle(0.0, &v), PSC_EMPTY, &v, 7.0);
-    expect_value("sphere form factor", psc_sphere_form_factor(&receiver, center, 0.5, &v), 0, &v,
-                 7.0);
-    expect_value("cap form factor", psc_cap_form_factor(&receiver, center, 0.5, &v), 0, &v, 7.0);
-    v = 7.0;
-    expect_value("form factor, NULL", psc_sphere_form_factor(NULL, center, 0.5, &v),
-                 PSC_ERROR_NULL_POINTER, &v, 7.0);
-    expect_value("form factor, NULL", psc_sphere_form_factor(&receiver, NULL, 0.5, &v),
-                 PSC_ERROR_NULL_POINTER, &v, 7.0);
-    expect_value("form factor, NULL", psc_sphere_form_factor(&receiver, center, 0.5, NULL),
-                 PSC_ERROR_NULL_POINTER, &v, 7.0);
-    expect_value("form factor, NULL", psc_cap_form_factor(NULL, center, 0.5, &v),
-                 PSC_ERROR_NULL_POINTER, &v, 7.0);
-    expect_value("form factor, NULL", psc_cap_form_factor(&receiver, NULL, 0.5, &v),
-                 PSC_ERROR_NULL_POINTER, &v, 7.0);
-    expect_value("form factor, NULL", psc_cap_form_factor(&receiver, center, 0.5, NULL),
-                 PSC_ERROR_NULL_POINTER, &v, 7.0);
-    expect_value("form factor, NaN", psc_sphere_form_factor(&receiver, bad, 0.5, &v),
-                 PSC_ERROR_NOT_FINITE, &v, 7.0);
-    expect_value("form factor, NaN", psc_cap_form_factor(&receiver, bad, 0.5, &v),
-                 PSC_ERROR_NOT_FINITE, &v, 7.0);
-    expect_value("form factor, negative", psc_sphere_form_factor(&receiver, center, -1.0, &v),
-                 PSC_ERROR_NEGATIVE_SIZE, &v, 7.0);
-    expect_value("form factor, negative", psc_cap_form_factor(&receiver, center, -1.0, &v),
-                 PSC_ERROR_NEGATIVE_SIZE, &v, 7.0);
-    expect_value("form factor, zero axis", psc_cap_form_factor(&receiver, origin, 0.5, &v),
-                 PSC_ERROR_ZERO_VECTOR, &v, 7.0);
-    expect_value("form factor, too wide", psc_cap_form_factor(&receiver, center, 1.6, &v),
-                 PSC_ERROR_HALF_ANGLE, &v, 7.0);
+    expect_value(light->shape->name, what, result, expected, &value);
+}
+
+static void expect_factor_from(const struct light *light, const psc_receiver *receiver,
+                               const char *what, psc_result expected)
+{
+    double value = 7.0;
+    const psc_result result = light->shape->form_factor(receiver, light->geometry, &value);
+
+    expect_value(light->shape->name, what, result, expected, &value);
+}
+
+static void expect_form_factor(const struct light *light, const char *what, psc_result expected)
+{
+    const psc_receiver receiver = light_receiver(light);
+
+    expect_factor_from(light, &receiver, what, expected);
+}
+
+/* Of both, when the geometry is at fault. */
+static void expect_both(const struct light *light, const char *what, psc_result expected)
+{
+    expect_solid_angle(light, what, expected);
+    expect_form_factor(light, what, expected);
+}
+
+/* The same light every time, wholly above the horizon. */
+static void good_light(const struct shape *shape, struct light *light)
+{
+    uint64_t seed = 1;
+
+    place_light(&seed, shape, shape->techniques, PLACE_ORDINARY, HORIZON_ABOVE, FACING_ONE,
+                light);
+}
+
+static void bad_geometry(const struct shape *shape)
+{
+    static const double sizes[4] = {-1e-300, -1.0, 0.0, -0.0};
+    struct light light;
+    int i, k, at = 0;
+
+    for (i = 0; shape->parts[i]; at += part_size(shape->parts[i++])) {
+        const int direction = shape->parts[i] == 'd';
+
+        for (k = 0; k < part_size(shape->parts[i]); k++) {
+            good_light(shape, &light);
+            light.geometry[at + k] = k == 1 ? INFINITY : NAN;
+            if (!(direction && is_distant(shape))) /* whose solid angle has no direction */
+                expect_solid_angle(&light, "no number, solid angle", PSC_ERROR_NOT_FINITE);
+            expect_form_factor(&light, "no number, form factor", PSC_ERROR_NOT_FINITE);
+        }
+        good_light(shape, &light);
+        for (k = 0; k < 3 && direction; k++)
+            light.geometry[at + k] = 0.0;
+        if (direction && !is_distant(shape))
+            expect_solid_angle(&light, "zero direction, solid angle", PSC_ERROR_ZERO_VECTOR);
+        if (direction)
+            expect_form_factor(&light, "zero direction, form factor", PSC_ERROR_ZERO_VECTOR);
+        for (k = 0; k < 4 && part_size(shape->parts[i]) == 1; k++) {
+            light.geometry[at] = sizes[k];
+            expect_both(&light, "size below or at zero",
+                        k < 2 ? PSC_ERROR_NEGATIVE_SIZE : PSC_EMPTY);
+        }
+    }
+    good_light(shape, &light);
+    shrink_to_nothing(&light);
+    expect_both(&light, "no size at all", PSC_EMPTY);
+}
+
+static void bad_receiver(const struct shape *shape)
+{
+    struct light light;
+    psc_receiver receiver;
+    int i;
+
+    good_light(shape, &light);
+    receiver = light_receiver(&light);
+    expect_factor_from(&light, NULL, "no receiver", PSC_ERROR_NULL_POINTER);
+    receiver.position = NULL;
+    expect_factor_from(&light, &receiver, "no position", PSC_ERROR_NULL_POINTER);
+    receiver = light_receiver(&light);
     receiver.flags = 8;
-    expect_value("form factor, flag", psc_cap_form_factor(&receiver, center, 0.5, &v),
-                 PSC_ERROR_UNKNOWN_FLAG, &v, 7.0);
+    expect_factor_from(&light, &receiver, "flag", PSC_ERROR_UNKNOWN_FLAG);
     receiver.flags = 0;
     receiver.normal = NULL;
-    expect_value("form factor, no normal", psc_sphere_form_factor(&receiver, center, 0.5, &v),
-                 PSC_ERROR_NEEDS_NORMAL, &v, 7.0);
-    expect_value("form factor, no normal", psc_cap_form_factor(&receiver, center, 0.5, &v),
-                 PSC_ERROR_NEEDS_NORMAL, &v, 7.0);
+    expect_factor_from(&light, &receiver, "no normal", PSC_ERROR_NEEDS_NORMAL);
     receiver.normal = origin;
-    expect_value("form factor, zero normal", psc_sphere_form_factor(&receiver, center, 0.5, &v),
-                 PSC_ERROR_ZERO_VECTOR, &v, 7.0);
-    receiver.normal = up;
+    expect_factor_from(&light, &receiver, "zero normal", PSC_ERROR_ZERO_VECTOR);
+    receiver.normal = light.normal;
     receiver.struct_size = 0;
-    expect_value("form factor, size", psc_sphere_form_factor(&receiver, center, 0.5, &v),
-                 PSC_ERROR_STRUCT_SIZE, &v, 7.0);
+    expect_factor_from(&light, &receiver, "size", PSC_ERROR_STRUCT_SIZE);
+    receiver = light_receiver(&light);
+    for (i = 0; i < 3; i++) {
+        good_light(shape, &light);
+        light.position[i] = i == 0 ? NAN : -INFINITY;
+        expect_factor_from(&light, &receiver, "position", PSC_ERROR_NOT_FINITE);
+        if (!is_distant(shape))
+            expect_solid_angle(&light, "position", PSC_ERROR_NOT_FINITE);
+    }
+    good_light(shape, &light);
+    for (i = 0; i < 3; i++)
+        light.normal[i] *= -1.0;
+    expect_factor_from(&light, &receiver, "below the horizon", PSC_EMPTY);
+}
+
+static void handle_free(const struct shape *shape)
+{
+    struct light light;
+    psc_receiver receiver;
+
+    good_light(shape, &light);
+    receiver = light_receiver(&light);
+    expect_both(&light, "solid angle and form factor", PSC_SUCCESS);
+    tap_ok(shape->solid_angle(light.position, light.geometry, NULL) == PSC_ERROR_NULL_POINTER &&
+               shape->form_factor(&receiver, light.geometry, NULL) == PSC_ERROR_NULL_POINTER &&
+               (is_distant(shape) ||
+                shape->solid_angle(NULL, light.geometry, &light.reach) == PSC_ERROR_NULL_POINTER),
+           "%s: NULL", shape->name);
+    bad_geometry(shape);
+    bad_receiver(shape);
+}
+
+/* What is wrong with parts of one shape. */
+static void bad_parts(void)
+{
+    const psc_receiver receiver = make_receiver(origin, up, 0);
+    const psc_result null = PSC_ERROR_NULL_POINTER, wide = PSC_ERROR_HALF_ANGLE;
+    double v = 7.0; /* is left as it is */
+
+    expect_value("sphere", "no center", psc_sphere_solid_angle(origin, NULL, 0.5, &v), null, &v);
+    expect_value("sphere", "no center", psc_sphere_form_factor(&receiver, NULL, 0.5, &v), null, &v);
+    expect_value("cap", "no axis", psc_cap_form_factor(&receiver, NULL, 0.5, &v), null, &v);
+    expect_value("cap", "above pi", psc_cap_solid_angle(3.2, &v), wide, &v);
+    expect_value("cap", "too wide", psc_cap_form_factor(&receiver, center, 1.6, &v), wide, &v);
 }
 
 /* ---- One light, asked in every way */
@@ -126,21 +190,20 @@ static double apart(double a, double b)
 
 /* The total of a technique is the answer to the question of its measure; the answers do not
    depend on the technique; those without a sampler are the same. */
-static void same_answers(void)
+static void same_answers(const struct shape *shape, const struct test_technique *what)
 {
     struct worst total = {0}, factor = {0}, free_solid = {0}, free_factor = {0};
     uint64_t seed = 60;
-    int i, n;
+    int i;
 
-    for (i = 0; i < 3000; i++) {
-        const struct test_technique *what = &test_techniques[random_below(&seed, TEST_TECHNIQUES)];
+    for (i = 0; i < 400; i++) {
         struct test_sampler s;
         struct light light;
         struct answers a;
         psc_receiver receiver;
         double value = -1.0, expected;
 
-        random_light(&seed, what, &light);
+        (i % 2 ? random_light : random_hard_light)(&seed, shape, what, &light);
         ask(&light, make_sampler(&s), &a);
         if (a.results[0] != PSC_SUCCESS)
             continue;
@@ -149,29 +212,23 @@ static void same_answers(void)
                    : what->measure == PSC_MEASURE_AREA                  ? a.area
                                                                         : a.total;
         worst_add(&total, apart(a.total, expected), "light %d: %s", i, describe_light(&light));
-        n = light.has_normal && a.results[2] == PSC_SUCCESS;
-        if (n)
-            worst_add(&factor, apart(a.factor, a.projected / pi), "light %d: %s", i,
-                      describe_light(&light));
-        if (light.distant)
-            psc_cap_solid_angle(light.scene.radius, &value);
-        else
-            psc_sphere_solid_angle(light.scene.position, light.scene.center, light.scene.radius,
-                                   &value);
+        shape->solid_angle(light.position, light.geometry, &value);
         worst_add(&free_solid, apart(value, a.solid), "light %d: %s", i, describe_light(&light));
-        receiver = make_receiver(light.scene.position, light.scene.normal, light.flags);
-        if (!n)
+        if (!light.has_normal || a.results[2] != PSC_SUCCESS)
             continue;
-        if (light.distant)
-            psc_cap_form_factor(&receiver, light.scene.center, light.scene.radius, &value);
-        else
-            psc_sphere_form_factor(&receiver, light.scene.center, light.scene.radius, &value);
+        worst_add(&factor, apart(a.factor, a.projected / pi), "light %d: %s", i,
+                  describe_light(&light));
+        receiver = light_receiver(&light);
+        shape->form_factor(&receiver, light.geometry, &value);
         worst_add(&free_factor, apart(value, a.factor), "light %d: %s", i, describe_light(&light));
     }
-    worst_report(&total, 1e-15, "total of the measure, relative");
-    worst_report(&factor, 1e-15, "form factor, relative");
-    worst_report(&free_solid, 1e-15, "solid angle without a sampler, relative");
-    worst_report(&free_factor, 1e-15, "form factor without a sampler, relative");
+#define REPORT(worst, words) \
+    worst_report(&worst, 1e-15, "%s, %s: " words ", relative", shape->name, what->name)
+    REPORT(total, "total of the measure");
+    REPORT(factor, "form factor");
+    REPORT(free_solid, "solid angle without a sampler");
+    REPORT(free_factor, "form factor without a sampler");
+#undef REPORT
 }
 
 /* ---- What the case is called */
@@ -181,18 +238,18 @@ static void expect_case(const char *name, double height, double radius, const do
 {
     const double where[3] = {sqrt(1.0 - height * height), 0.0, height};
     psc_description d = {sizeof d, 0, 0, 0, 0, 0};
+    const struct test_technique *what;
     struct test_sampler s;
-    int i;
 
-    for (i = 0; i < TEST_TECHNIQUES; i++) {
-        if (!normal && test_techniques[i].measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE)
+    for (FOR_TECHNIQUES(&shape_sphere, what)) {
+        if (!normal && !is_offered(what, FACING_NONE))
             continue;
-        build_sphere(make_sampler(&s), &test_techniques[i], flags, origin, normal, where, radius);
+        build_sphere(make_sampler(&s), what, flags, origin, normal, where, radius);
         psc_sampler_describe(s.sampler, &d);
         tap_ok(d.visibility == expected && d.shape == PSC_SHAPE_SPHERE &&
-                   d.measure == test_techniques[i].measure && d.map == test_techniques[i].map &&
+                   d.measure == what->measure && d.map == what->map &&
                    d.struct_size == sizeof d && d.reserved == 0,
-               "%s: %s", name, test_techniques[i].name);
+               "%s: %s", name, what->name);
     }
 }
 
@@ -243,8 +300,15 @@ static void known_values(void)
 
 int main(void)
 {
-    handle_free();
-    same_answers();
+    const struct test_technique *what;
+    int i;
+
+    for (i = 0; shapes[i]; i++) {
+        handle_free(shapes[i]);
+        for (FOR_TECHNIQUES(shapes[i], what))
+            same_answers(shapes[i], what);
+    }
+    bad_parts();
     cases();
     known_values();
     return tap_done();

@@ -1,29 +1,31 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
  * Scaling every length by a power of two, up to 1e30 and down to 1e-30, changes nothing but the
- * lengths that are returned, and these exactly; the length of the normal never matters.
+ * lengths that are returned, and these exactly; the lengths of normals never matter.
  */
 #include <float.h>
 #include <math.h>
 
-#include "lights.h"
+#include "shapes.h"
 #include "tap.h"
 
 enum { LIGHTS = 60, SAMPLES = 8 };
 
-static void scale_scene(const struct light *light, double lengths, double normal,
+static void scale_light(const struct light *light, double lengths, double normal,
                         struct light *scaled)
 {
+    double *g = scaled->geometry;
+    const char *part;
     int i;
 
     *scaled = *light;
     for (i = 0; i < 3; i++) {
-        scaled->scene.position[i] *= lengths;
-        scaled->scene.normal[i] *= normal;
-        scaled->scene.center[i] *= lengths;
+        scaled->position[i] *= lengths;
+        scaled->normal[i] *= normal;
     }
-    if (!light->distant)
-        scaled->scene.radius *= lengths;
+    for (part = light->shape->parts; *part; g += part_size(*part), part++)
+        for (i = 0; i < part_size(*part); i++)
+            g[i] *= *part == 'a' ? 1.0 : *part == 'd' ? normal : lengths;
 }
 
 /* The sample with lengths divided again; points of distant lights are directions. */
@@ -31,7 +33,7 @@ static void unscale(const struct light *light, double lengths, psc_light_sample_
 {
     int i;
 
-    if (light->distant)
+    if (is_distant(light->shape))
         return;
     for (i = 0; i < 3; i++)
         sample->point[i] /= lengths;
@@ -76,7 +78,8 @@ static int same_samples(int bits, const psc_sampler *a, const psc_sampler *b,
     return same;
 }
 
-static void scales(const struct test_technique *what, double lengths, double normal)
+static void scales(const struct shape *shape, const struct test_technique *what, double lengths,
+                   double normal)
 {
     uint64_t seed = 110;
     int i, bits, failed = -1, built = 0;
@@ -87,8 +90,8 @@ static void scales(const struct test_technique *what, double lengths, double nor
         double total[2] = {0.0, 0.0};
         int area = what->measure >= PSC_MEASURE_AREA;
 
-        random_light(&seed, what, &light);
-        scale_scene(&light, lengths, normal, &scaled);
+        random_light(&seed, shape, what, &light);
+        scale_light(&light, lengths, normal, &scaled);
         if (build_light(make_sampler(&a), &light) != build_light(make_sampler(&b), &scaled))
             failed = i;
         psc_sampler_total(a.sampler, &total[0]);
@@ -99,22 +102,24 @@ static void scales(const struct test_technique *what, double lengths, double nor
             if (!same_samples(bits, a.sampler, b.sampler, &light, lengths, &seed))
                 failed = i;
     }
-    if (!tap_ok(failed < 0 && built > 0, "%s: lengths by %a, normal by %a", what->name, lengths,
-                normal))
+    if (!tap_ok(failed < 0 && built > 0, "%s, %s: lengths by %a, normal by %a", shape->name,
+                what->name, lengths, normal))
         tap_note("    light %d: %s", failed, describe_light(&light));
 }
 
 int main(void)
 {
     static const double factors[] = {0x1p-100, 0x1p-52, 0x1p-1, 0x1p+1, 0x1p+60, 0x1p+100};
+    const struct test_technique *what;
     size_t j;
     int i;
 
-    for (i = 0; i < TEST_TECHNIQUES; i++)
-        for (j = 0; j < sizeof factors / sizeof factors[0]; j++) {
-            scales(&test_techniques[i], factors[j], 1.0);
-            scales(&test_techniques[i], 1.0, factors[j]);
-            scales(&test_techniques[i], factors[j], 1.0 / factors[j]);
-        }
+    for (i = 0; shapes[i]; i++)
+        for (FOR_TECHNIQUES(shapes[i], what))
+            for (j = 0; j < sizeof factors / sizeof factors[0]; j++) {
+                scales(shapes[i], what, factors[j], 1.0);
+                scales(shapes[i], what, 1.0, factors[j]);
+                scales(shapes[i], what, factors[j], 1.0 / factors[j]);
+            }
     return tap_done();
 }

@@ -6,7 +6,7 @@
  */
 #include <stdlib.h>
 
-#include "lights.h"
+#include "shapes.h"
 #include "tap.h"
 
 #define REAL float
@@ -24,16 +24,16 @@
 
 int main(void)
 {
-    int i, distant;
+    const struct test_technique *what;
+    int i;
 
-    for (i = 0; i < TEST_TECHNIQUES; i++)
-        for (distant = 0; distant <= test_techniques[i].distant; distant++) {
-            wavefronts_f32(&test_techniques[i], distant);
-            wavefronts_f64(&test_techniques[i], distant);
+    for (i = 0; shapes[i]; i++) {
+        for (FOR_TECHNIQUES(shapes[i], what)) {
+            wavefronts_f32(shapes[i], what);
+            wavefronts_f64(shapes[i], what);
         }
-    for (distant = 0; distant < 2; distant++) {
-        refusals_f32(distant);
-        refusals_f64(distant);
+        refusals_f32(shapes[i]);
+        refusals_f64(shapes[i]);
     }
     return tap_done();
 }

@@ -76,10 +76,10 @@ void make_jobs(void)
         const char *name;
         struct test_technique what;
     } methods[] = {
-        {"cone", {"", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL, 1}},
-        {"radial", {"", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_RADIAL, 1}},
-        {"parallel", {"", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_PARALLEL, 1}},
-        {"concentric", {"", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_CONCENTRIC, 1}},
+        {"cone", {"", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL}},
+        {"radial", {"", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_RADIAL}},
+        {"parallel", {"", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_PARALLEL}},
+        {"concentric", {"", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_CONCENTRIC}},
     };
     enum regime regime;
     size_t m;

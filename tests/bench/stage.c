@@ -115,7 +115,8 @@ void make_stages(void)
 void count_cornell(size_t counts[6])
 {
     const struct stage_f64 *s = &stages_f64[CASE_CORNELL];
-    const struct test_technique *what = &test_techniques[2]; /* projected, radial */
+    static const struct test_technique projected = {
+        "projected, radial", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_RADIAL};
     struct test_sampler memory;
     psc_sampler *sampler = make_sampler(&memory);
     psc_description description;
@@ -128,7 +129,7 @@ void count_cornell(size_t counts[6])
         const double normal[3] = {s->normal[0][i], s->normal[1][i], s->normal[2][i]};
         const double center[3] = {s->center[0][i], s->center[1][i], s->center[2][i]};
 
-        build_sphere(sampler, what, 0, position, normal, center, s->radius[i]);
+        build_sphere(sampler, &projected, 0, position, normal, center, s->radius[i]);
         psc_sampler_describe(sampler, &description);
         counts[description.visibility]++;
     }
