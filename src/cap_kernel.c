@@ -3,6 +3,10 @@
 #include "cap_views.h"
 #include "kernel_tmpl.h"
 
+#if PSC_REAL_BITS == 64
+#include "cap_directions.h"
+#endif
+
 #if PSC_REAL_BITS == 32
 #undef PSC_BITS
 #define PSC_BITS 32
@@ -20,5 +24,7 @@
 #include "cap_kernel_tmpl.h"
 #include "cap_wave_tmpl.h"
 
-PSC_KERNEL(sphere, FN(cap_sample), FN(cap_sample_n), FN(sphere_wave), sphere_build);
-PSC_KERNEL(cap, FN(cap_sample), FN(cap_sample_n), FN(distant_wave), distant_build);
+PSC_KERNEL(sphere, FN(cap_sample), FN(cap_sample_n), FN(sphere_wave), sphere_build, cap_pdfs,
+           cap_inverses);
+PSC_KERNEL(cap, FN(cap_sample), FN(cap_sample_n), FN(distant_wave), distant_build, cap_pdfs,
+           cap_inverses);

@@ -14,14 +14,15 @@
 #define PSC_KERNEL_TABLE_1(name, bits, isa) PSC_KERNEL_TABLE_2(name, bits, isa)
 #define PSC_KERNEL_TABLE(name) PSC_KERNEL_TABLE_1(name, PSC_REAL_BITS, PSC_ISA)
 
-/* The build works in double and serves both precisions: it stands in the table of doubles. */
+/* sample, sample_n, wave, build, pdf, invert. The last three work in double and serve both
+   precisions: they stand in the table of doubles. */
 #if PSC_REAL_BITS == 64
-#define PSC_KERNEL(name, sample, sample_n, wave, build)        \
+#define PSC_KERNEL(name, ...)                                  \
     extern const struct psc_kernel_f64 PSC_KERNEL_TABLE(name); \
-    const struct psc_kernel_f64 PSC_KERNEL_TABLE(name) = {sample, sample_n, wave, build}
+    const struct psc_kernel_f64 PSC_KERNEL_TABLE(name) = {__VA_ARGS__}
 #else
-#define PSC_KERNEL(name, sample, sample_n, wave, build)        \
-    extern const struct psc_kernel_f32 PSC_KERNEL_TABLE(name); \
+#define PSC_KERNEL(name, sample, sample_n, wave, build, pdf, invert) \
+    extern const struct psc_kernel_f32 PSC_KERNEL_TABLE(name);       \
     const struct psc_kernel_f32 PSC_KERNEL_TABLE(name) = {sample, sample_n, wave}
 #endif
 

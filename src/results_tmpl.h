@@ -51,8 +51,9 @@ PSC_LANE void FN(scatter)(const real *from, const uint32_t *at, real *to, ptrdif
 }
 
 /* The calls for all the outputs that are wanted; see scatter(). */
-static void FN(scatter_values)(const FN(psc_samples) *out, const struct FN(psc_results) *r,
-                               size_t first, const uint32_t *at, const uint32_t *index, size_t n)
+static inline void FN(scatter_values)(const FN(psc_samples) *out,
+                                      const struct FN(psc_results) *r, size_t first,
+                                      const uint32_t *at, const uint32_t *index, size_t n)
 {
     const struct {
         const FN(psc_output) *output;

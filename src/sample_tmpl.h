@@ -13,47 +13,31 @@ psc_result FN(psc_sample)(const psc_sampler *sampler, real u, real v, FN(psc_lig
     return sampler->KERNEL->sample(sampler, u, v, sample);
 }
 
-static real FN(pdf)(const psc_sampler *sampler, real x, real y, real z)
-{
-    const double direction[3] = {(double)x, (double)y, (double)z};
-
-    return (real)sampler->shape->pdf(sampler, direction, DIRECTION_EPSILON);
-}
-
-static psc_result FN(invert)(const psc_sampler *sampler, real x, real y, real z, real *u, real *v)
-{
-    const double direction[3] = {(double)x, (double)y, (double)z};
-    double uv[2];
-    const psc_result result = sampler->shape->invert(sampler, direction, DIRECTION_EPSILON, uv);
-
-    if (result == PSC_SUCCESS) {
-        *u = (real)uv[0];
-        *v = (real)uv[1];
-    }
-    return result;
-}
-
 psc_result FN(psc_pdf)(const psc_sampler *sampler, const real direction[3], real *pdf)
 {
+    const double d[3] = {(double)direction[0], (double)direction[1], (double)direction[2]};
+
     *pdf = K(0.0);
     if (sampler->sides == 0)
         return PSC_EMPTY;
-    *pdf = FN(pdf)(sampler, direction[0], direction[1], direction[2]);
+    *pdf = (real)sampler->shape->pdf(sampler, d, DIRECTION_EPSILON);
     return PSC_SUCCESS;
 }
 
 psc_result FN(psc_invert)(const psc_sampler *sampler, const real direction[3], real uv[2])
 {
+    const double d[3] = {(double)direction[0], (double)direction[1], (double)direction[2]};
+    double wide[2];
+    psc_result result;
+
     if (sampler->sides == 0)
         return PSC_EMPTY;
-    return FN(invert)(sampler, direction[0], direction[1], direction[2], uv, uv + 1);
-}
-
-static void FN(output)(const FN(psc_output) *output, int component, size_t i, real value)
-{
-    if (output->component[component])
-        *(real *)(void *)((char *)output->component[component] +
-                          (ptrdiff_t)i * output->stride) = value;
+    result = sampler->shape->invert(sampler, d, DIRECTION_EPSILON, wide);
+    if (result == PSC_SUCCESS) {
+        uv[0] = (real)wide[0];
+        uv[1] = (real)wide[1];
+    }
+    return result;
 }
 
 psc_result FN(psc_sample_n)(const psc_sampler *sampler, size_t count, const FN(psc_input) *uv,
@@ -73,19 +57,50 @@ psc_result FN(psc_sample_n)(const psc_sampler *sampler, size_t count, const FN(p
     return PSC_SUCCESS;
 }
 
+/* The block of directions from first on. */
+static void FN(load_directions)(const FN(psc_input) *input, size_t first, size_t n,
+                                struct psc_directions *d)
+{
+    int c;
+
+    d->count = n;
+    d->epsilon = DIRECTION_EPSILON;
+    for (c = 0; c < 3; c++)
+        FN(widen)(input, c, first, n, d->direction[c]);
+}
+
+/* A component of a block's results, of the elements of the index or all; see scatter(). */
+static void FN(store_component)(const double *from, const FN(psc_output) *to, int component,
+                                size_t first, const uint32_t *index, size_t n)
+{
+    real values[PSC_BLOCK];
+    size_t i;
+
+    if (!to->component[component])
+        return;
+    for (i = 0; i < n; i++)
+        values[i] = (real)from[index ? index[i] : i];
+    FN(scatter)(values, NULL, to->component[component], to->stride, first, index, n);
+}
+
 psc_result FN(psc_pdf_n)(const psc_sampler *sampler, size_t count,
                          const FN(psc_input) *direction, const FN(psc_output) *pdf)
 {
-    size_t i;
+    struct psc_directions d;
+    size_t first, n;
 
     if (!sampler || !FN(complete)(direction, 3) || !pdf || !pdf->component[0])
         return PSC_ERROR_NULL_POINTER;
-    for (i = 0; i < count; i++)
-        FN(output)(pdf, 0, i,
-                   sampler->sides == 0
-                       ? K(0.0)
-                       : FN(pdf)(sampler, FN(element)(direction, 0, i), FN(element)(direction, 1, i),
-                                 FN(element)(direction, 2, i)));
+    if (sampler->sides == 0)
+        memset(d.pdf, 0, sizeof d.pdf);
+    for (first = 0; first < count; first += n) {
+        n = MIN(count - first, PSC_BLOCK);
+        if (sampler->sides > 0) {
+            FN(load_directions)(direction, first, n, &d);
+            pdf_block(sampler, &d);
+        }
+        FN(store_component)(d.pdf, pdf, 0, first, NULL, n);
+    }
     return sampler->sides == 0 ? PSC_EMPTY : PSC_SUCCESS;
 }
 
@@ -93,7 +108,10 @@ psc_result FN(psc_invert_n)(const psc_sampler *sampler, size_t count,
                             const FN(psc_input) *direction, const FN(psc_output) *uv,
                             const psc_output_result *status)
 {
-    size_t i;
+    struct psc_directions d;
+    uint32_t index[PSC_BLOCK];
+    size_t first, n, i, good;
+    int c;
 
     if (!sampler || !FN(complete)(direction, 3) || !uv)
         return PSC_ERROR_NULL_POINTER;
@@ -102,18 +120,18 @@ psc_result FN(psc_invert_n)(const psc_sampler *sampler, size_t count,
             psc_fill_status(status, count, PSC_EMPTY);
         return PSC_EMPTY;
     }
-    for (i = 0; i < count; i++) {
-        real u = K(0.0), v = K(0.0);
-        const psc_result result =
-            FN(invert)(sampler, FN(element)(direction, 0, i), FN(element)(direction, 1, i),
-                       FN(element)(direction, 2, i), &u, &v);
-
-        if (result == PSC_SUCCESS) {
-            FN(output)(uv, 0, i, u);
-            FN(output)(uv, 1, i, v);
+    for (first = 0; first < count; first += n) {
+        n = MIN(count - first, PSC_BLOCK);
+        FN(load_directions)(direction, first, n, &d);
+        invert_block(sampler, &d);
+        for (good = 0, i = 0; i < n; i++) {
+            index[good] = (uint32_t)i;
+            good += d.status[i] == PSC_SUCCESS;
         }
+        for (c = 0; c < 2; c++)
+            FN(store_component)(d.uv[c], uv, c, first, good == n ? NULL : index, good);
         if (status)
-            psc_put_status(status, i, result);
+            FN(scatter_status)(status, d.status, first, NULL, n);
     }
     return PSC_SUCCESS;
 }

@@ -173,6 +173,24 @@ struct psc_results_f32 {
 /* The status of an element that a wavefront kernel leaves to the calls for one. */
 #define PSC_PENDING INT32_MAX
 
+/* A block of directions, and what is asked of them: in double for both precisions. */
+struct psc_directions {
+    size_t count;
+    double epsilon; /* of the direction */
+    double direction[3][PSC_BLOCK];
+    double pdf[PSC_BLOCK];
+    double uv[2][PSC_BLOCK]; /* where status is PSC_SUCCESS */
+    psc_result status[PSC_BLOCK];
+};
+
+static inline void psc_load_direction(const struct psc_directions *d, size_t i,
+                                      double direction[3])
+{
+    direction[0] = d->direction[0][i];
+    direction[1] = d->direction[1][i];
+    direction[2] = d->direction[2][i];
+}
+
 struct psc_kernel_f64 {
     psc_result (*sample)(const psc_sampler *sampler, double u, double v,
                          psc_light_sample_f64 *sample);
@@ -183,6 +201,9 @@ struct psc_kernel_f64 {
     /* Fills a cleared sampler; the numbers are finite. In double behind both precisions. */
     psc_result (*build)(psc_sampler *sampler, const struct psc_request *request,
                         const double *geometry);
+    /* Fill pdf, or uv and status; the sampler is not empty. NULL: the calls for one do it. */
+    void (*pdf)(const psc_sampler *sampler, struct psc_directions *directions);
+    void (*invert)(const psc_sampler *sampler, struct psc_directions *directions);
 };
 
 struct psc_kernel_f32 {

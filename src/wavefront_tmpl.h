@@ -1,16 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Template: see precision.h. */
 
-/* n elements of a component, widened. */
-static void FN(widen)(const FN(psc_input) *input, int component, size_t first, size_t n,
-                      double *to)
-{
-    size_t i;
-
-    for (i = 0; i < n; i++)
-        to[i] = (double)FN(element)(input, component, first + i);
-}
-
 /* Builds and samples element i of the block with the calls for one. */
 static void FN(build_and_sample)(const struct psc_shape_row *shape, uint32_t flags,
                                  const struct psc_wave *wave, size_t i, real u, real v,

@@ -185,8 +185,10 @@ static void check_builds(const struct psc_variant *variant, const struct shape *
             (bits == 64 ? check_light_f64 : check_light_f32)(&tally, &light, variant);
         }
     tap_ok(tally.differences == 0 && tally.compared > 0,
-           "%s f%d, %s of %ss: %zu differences in %zu samples of batches", variant_name(variant),
-           bits, what->name, shape->name, tally.differences, tally.compared);
+           "%s f%d, %s of %ss: %zu differences in %zu samples, densities and inverses "
+           "of batches",
+           variant_name(variant), bits, what->name, shape->name, tally.differences,
+           tally.compared);
 }
 
 static void check_wavefronts(const struct psc_variant *variant, const struct shape *shape,

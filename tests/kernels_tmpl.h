@@ -238,6 +238,49 @@ static void FN(check_repeated)(struct tally *tally, const psc_sampler *sampler, 
     FN(free_sink)(&sink);
 }
 
+/* Densities and inverses of the samples, of every fourth turned away a little, against those of
+   the calls for one. */
+static void FN(check_directions)(struct tally *tally, const psc_sampler *sampler, size_t count,
+                                 const struct FN(record) *samples)
+{
+    static real values[3][COUNT_MAX], pdf[COUNT_MAX], uv[2][COUNT_MAX];
+    static psc_result status[COUNT_MAX];
+    const FN(psc_input) input = {{values[0], values[1], values[2]}, sizeof(real)};
+    const FN(psc_output) pdf_out = {{pdf, NULL, NULL}, sizeof(real)};
+    const FN(psc_output) uv_out = {{uv[0], uv[1], NULL}, sizeof(real)};
+    const psc_output_result status_out = {status, sizeof *status};
+    size_t i;
+    int c;
+
+    fill(pdf, sizeof pdf);
+    fill(uv, sizeof uv);
+    for (i = 0; i < count; i++)
+        for (c = 0; c < 3; c++)
+            values[c][i] = samples[i].status != PSC_SUCCESS && samples[i].status != PSC_CULLED
+                               ? (real)(c == 2)
+                               : samples[i].sample.direction[c] +
+                                     (real)(i % 4 == (size_t)c ? 0.25 * (double)(i % 7) : 0.0);
+    FN(psc_pdf_n)(sampler, count, &input, &pdf_out);
+    FN(psc_invert_n)(sampler, count, &input, &uv_out, &status_out);
+    for (i = 0; i < count; i++) {
+        const real direction[3] = {values[0][i], values[1][i], values[2][i]};
+        real one, pair[2];
+        psc_result result;
+
+        fill(pair, sizeof pair);
+        FN(psc_pdf)(sampler, direction, &one);
+        result = FN(psc_invert)(sampler, direction, pair);
+        if (!FN(same)(pdf[i], one))
+            tally_add(tally, i, "density", (double)pdf[i], (double)one);
+        if (status[i] != result)
+            tally_add(tally, i, "status of the inverse", status[i], result);
+        for (c = 0; c < 2; c++)
+            if (!FN(same)(uv[c][i], pair[c]))
+                tally_add(tally, i, "inverse", (double)uv[c][i], (double)pair[c]);
+        tally->compared++;
+    }
+}
+
 /* All ways to take samples of a light with a variant, against single ones of the first. */
 static void FN(check_light)(struct tally *tally, const struct light *light,
                             const struct psc_variant *variant)
@@ -272,6 +315,8 @@ static void FN(check_light)(struct tally *tally, const struct light *light,
             FN(check_batch)(tally, sampler, layout, some_components(count + (size_t)layout),
                             count, uv, expected);
     FN(check_repeated)(tally, sampler, uv[0][7], uv[1][7], expected + 7);
+    FN(check_directions)(tally, sampler, COUNT_MAX, expected);
+    FN(check_directions)(tally, sampler, 3, expected);
 }
 
 /* ---- Wavefronts ---- */
