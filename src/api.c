@@ -14,6 +14,7 @@ static const psc_api_1 api = {
     psc_sampler_destroy,
     psc_build_sphere,
     psc_build_cap,
+    psc_build_triangle,
     psc_sample_f64,
     psc_sample_f32,
     psc_pdf_f64,
@@ -40,6 +41,7 @@ static const psc_api_1 api = {
     psc_sphere_form_factor,
     psc_cap_solid_angle,
     psc_cap_form_factor,
+    psc_triangle_solid_angle,
 };
 
 psc_result psc_get_api(uint32_t version, void *table, size_t size)

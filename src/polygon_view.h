@@ -16,9 +16,9 @@ struct psc_polygon_view {
     double scale;
 };
 
-/* vertices: count times three coordinates. */
-PSC_LANE void see_polygon(const double position[3], int count, const double *vertices,
-                          struct psc_polygon_view *o)
+/* vertices: count times three coordinates. Returns whether all is finite. */
+PSC_LANE int see_polygon(const double position[3], int count, const double *vertices,
+                         struct psc_polygon_view *o)
 {
     double size = 0.0;
     int i, c;
@@ -35,6 +35,7 @@ PSC_LANE void see_polygon(const double position[3], int count, const double *ver
             o->vertex[i][c] *= o->scale;
             o->low[i][c] *= o->scale;
         }
+    return is_finite(size);
 }
 
 /* The difference of two vertices, to - from, in units of the view: high + low is exact but for

@@ -6,6 +6,7 @@
 #include <psc/psc.h>
 
 #include "cap_side.h"
+#include "polygon_state.h"
 #include "shapes.h"
 
 /* What becomes of a cosine: none without a normal, one side, or both sides of the plane. */
@@ -35,6 +36,7 @@ struct psc_sampler {
     /* By family. */
     union {
         struct psc_cap_light cap;
+        struct psc_polygon_light polygon;
     };
 };
 

@@ -7,6 +7,7 @@
 
 #define PSC_SHAPES(X, from)   \
     X(from, SPHERE, sphere)   \
-    X(from, CAP, cap)
+    X(from, CAP, cap)         \
+    X(from, TRIANGLE, triangle)
 
 #endif

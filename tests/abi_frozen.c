@@ -193,56 +193,61 @@ FIELD(psc_description, reserved, 20, uint32_t *);
       (psc_sampler *, const psc_technique *, const psc_receiver *, const double *, double)) \
     F(8, build_cap, int32_t, \
       (psc_sampler *, const psc_technique *, const psc_receiver *, const double *, double)) \
-    F(9, sample_f64, int32_t, (const psc_sampler *, double, double, psc_light_sample_f64 *)) \
-    F(10, sample_f32, int32_t, (const psc_sampler *, float, float, psc_light_sample_f32 *)) \
-    F(11, pdf_f64, int32_t, (const psc_sampler *, const double *, double *)) \
-    F(12, pdf_f32, int32_t, (const psc_sampler *, const float *, float *)) \
-    F(13, invert_f64, int32_t, (const psc_sampler *, const double *, double *)) \
-    F(14, invert_f32, int32_t, (const psc_sampler *, const float *, float *)) \
-    F(15, sample_n_f64, int32_t, \
+    F(9, build_triangle, int32_t, \
+      (psc_sampler *, const psc_technique *, const psc_receiver *, const double *, \
+       const double *, const double *)) \
+    F(10, sample_f64, int32_t, (const psc_sampler *, double, double, psc_light_sample_f64 *)) \
+    F(11, sample_f32, int32_t, (const psc_sampler *, float, float, psc_light_sample_f32 *)) \
+    F(12, pdf_f64, int32_t, (const psc_sampler *, const double *, double *)) \
+    F(13, pdf_f32, int32_t, (const psc_sampler *, const float *, float *)) \
+    F(14, invert_f64, int32_t, (const psc_sampler *, const double *, double *)) \
+    F(15, invert_f32, int32_t, (const psc_sampler *, const float *, float *)) \
+    F(16, sample_n_f64, int32_t, \
       (const psc_sampler *, size_t, const psc_input_f64 *, const psc_samples_f64 *)) \
-    F(16, sample_n_f32, int32_t, \
+    F(17, sample_n_f32, int32_t, \
       (const psc_sampler *, size_t, const psc_input_f32 *, const psc_samples_f32 *)) \
-    F(17, pdf_n_f64, int32_t, \
+    F(18, pdf_n_f64, int32_t, \
       (const psc_sampler *, size_t, const psc_input_f64 *, const psc_output_f64 *)) \
-    F(18, pdf_n_f32, int32_t, \
+    F(19, pdf_n_f32, int32_t, \
       (const psc_sampler *, size_t, const psc_input_f32 *, const psc_output_f32 *)) \
-    F(19, invert_n_f64, int32_t, \
+    F(20, invert_n_f64, int32_t, \
       (const psc_sampler *, size_t, const psc_input_f64 *, const psc_output_f64 *, \
        const psc_output_result *)) \
-    F(20, invert_n_f32, int32_t, \
+    F(21, invert_n_f32, int32_t, \
       (const psc_sampler *, size_t, const psc_input_f32 *, const psc_output_f32 *, \
        const psc_output_result *)) \
-    F(21, sphere_sample_n_f64, int32_t, \
+    F(22, sphere_sample_n_f64, int32_t, \
       (const psc_technique *, size_t, const psc_receivers_f64 *, const psc_input_f64 *, \
        const psc_input_f64 *, const psc_input_f64 *, const psc_samples_f64 *)) \
-    F(22, sphere_sample_n_f32, int32_t, \
+    F(23, sphere_sample_n_f32, int32_t, \
       (const psc_technique *, size_t, const psc_receivers_f32 *, const psc_input_f32 *, \
        const psc_input_f32 *, const psc_input_f32 *, const psc_samples_f32 *)) \
-    F(23, cap_sample_n_f64, int32_t, \
+    F(24, cap_sample_n_f64, int32_t, \
       (const psc_technique *, size_t, const psc_receivers_f64 *, const psc_input_f64 *, \
        const psc_input_f64 *, const psc_input_f64 *, const psc_samples_f64 *)) \
-    F(24, cap_sample_n_f32, int32_t, \
+    F(25, cap_sample_n_f32, int32_t, \
       (const psc_technique *, size_t, const psc_receivers_f32 *, const psc_input_f32 *, \
        const psc_input_f32 *, const psc_input_f32 *, const psc_samples_f32 *)) \
-    F(25, sampler_describe, int32_t, (const psc_sampler *, psc_description *)) \
-    F(26, sampler_total, int32_t, (const psc_sampler *, double *)) \
-    F(27, sampler_solid_angle, int32_t, (const psc_sampler *, double *)) \
-    F(28, sampler_projected_solid_angle, int32_t, (const psc_sampler *, double *)) \
-    F(29, sampler_form_factor, int32_t, (const psc_sampler *, double *)) \
-    F(30, sampler_area, int32_t, (const psc_sampler *, double *)) \
-    F(31, sphere_solid_angle, int32_t, (const double *, const double *, double, double *)) \
-    F(32, sphere_form_factor, int32_t, \
+    F(26, sampler_describe, int32_t, (const psc_sampler *, psc_description *)) \
+    F(27, sampler_total, int32_t, (const psc_sampler *, double *)) \
+    F(28, sampler_solid_angle, int32_t, (const psc_sampler *, double *)) \
+    F(29, sampler_projected_solid_angle, int32_t, (const psc_sampler *, double *)) \
+    F(30, sampler_form_factor, int32_t, (const psc_sampler *, double *)) \
+    F(31, sampler_area, int32_t, (const psc_sampler *, double *)) \
+    F(32, sphere_solid_angle, int32_t, (const double *, const double *, double, double *)) \
+    F(33, sphere_form_factor, int32_t, \
       (const psc_receiver *, const double *, double, double *)) \
-    F(33, cap_solid_angle, int32_t, (double, double *)) \
-    F(34, cap_form_factor, int32_t, (const psc_receiver *, const double *, double, double *))
+    F(34, cap_solid_angle, int32_t, (double, double *)) \
+    F(35, cap_form_factor, int32_t, (const psc_receiver *, const double *, double, double *)) \
+    F(36, triangle_solid_angle, int32_t, \
+      (const double *, const double *, const double *, const double *, double *))
 
 #define FUNCTION(place, name, result, parameters) \
     _Static_assert(_Generic(&psc_##name, result(*) parameters : 1, default : 0), "psc_" #name); \
     FIELD(psc_api_1, name, (place) * W, result(**) parameters);
 
 FUNCTIONS(FUNCTION)
-SIZE(psc_api_1, 35 * W, W);
+SIZE(psc_api_1, 37 * W, W);
 _Static_assert(_Generic(&psc_get_api, int32_t (*)(uint32_t, void *, size_t) : 1, default : 0),
                "psc_get_api");
 

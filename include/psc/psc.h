@@ -38,6 +38,9 @@
  *   [Wan92] C. Wang: Physically correct direct lighting for distribution ray tracing.
  *           Graphics Gems III, 1992.
  *   [SC97]  P. Shirley, K. Chiu: A low distortion map between disk and square. JGT 2(3), 1997.
+ *   [Arv95] J. Arvo: Stratified sampling of spherical triangles. SIGGRAPH 1995.
+ *   [OS83]  A. Van Oosterom, J. Strackee: The solid angle of a plane triangle. IEEE Transactions
+ *           on Biomedical Engineering 30(2), 1983.
  */
 #ifndef PSC_PSC_H
 #define PSC_PSC_H
@@ -137,8 +140,9 @@ enum {
 typedef uint32_t psc_map;
 
 enum {
-    /** u moves outwards from the centre (from the inner edge of a lune), v around it. For
-        projected solid angle: section 4.2 and listing 1 of [UG18]. */
+    /** Of a sphere or cap: u moves outwards from the centre (from the inner edge of a lune), v
+        around it. For projected solid angle: section 4.2 and listing 1 of [UG18]. Of a triangle:
+        around a vertex, see psc_build_triangle(). */
     PSC_MAP_RADIAL = 0,
     /** v selects one of a family of parallel chords, u moves along it. Section 4.1 of [UG18]. */
     PSC_MAP_PARALLEL = 1,
@@ -155,6 +159,10 @@ enum {
  *     radial               x                  x                  x          x
  *     parallel                                x
  *     concentric           x                  x                  x          x
+ *
+ *                                triangle
+ *                      solid angle   projected solid angle      area
+ *     radial               x                                     x
  *
  * A combination that a shape does not offer is PSC_ERROR_UNSUPPORTED_TECHNIQUE when it is
  * built, never a silent substitute.
@@ -275,6 +283,26 @@ PSC_API psc_result psc_build_sphere(psc_sampler *sampler, const psc_technique *t
 PSC_API psc_result psc_build_cap(psc_sampler *sampler, const psc_technique *technique,
                                  const psc_receiver *receiver, const double axis[3],
                                  double half_angle);
+
+/**
+ * Builds the sampler of a triangular light.
+ *
+ * Solid angle: Arvo's map [Arv95] with his names, A = v0, B = v1, C = v2. u is the fraction of
+ * the solid angle between the side from v1 to v0 and the arc on which the sample lies, which
+ * runs from v1 to a point of the side from v0 to v2; v is the fraction of the cap around v1 that
+ * is nearer to it. So v = 0 is v1, v = 1 the side from v0 to v2, u = 0 the side to v0, u = 1 that
+ * to v2. Area: the same with areas, v1 + sqrt(v) ((1 - u) (v0 - v1) + u (v2 - v1)).
+ *
+ * Both sides shine unless the technique says PSC_TECHNIQUE_ONE_SIDED; the front is the one from
+ * which v0, v1, v2 run counter-clockwise. Samples come with the normal of the front, the unit
+ * vector along (v1 - v0) x (v2 - v0), and with surface the barycentric coordinates of v1 and v2.
+ * @param v0,v1,v2  vertices, finite; a triangle without area, or seen edge-on, is PSC_EMPTY
+ * @return as psc_build_sphere() but for the radius
+ * @since 0.1
+ */
+PSC_API psc_result psc_build_triangle(psc_sampler *sampler, const psc_technique *technique,
+                                      const psc_receiver *receiver, const double v0[3],
+                                      const double v1[3], const double v2[3]);
 
 /* ---- One sample at a time ------------------------------------------------------------------ */
 
@@ -615,6 +643,18 @@ PSC_API psc_result psc_cap_solid_angle(double half_angle, double *solid_angle);
 PSC_API psc_result psc_cap_form_factor(const psc_receiver *receiver, const double axis[3],
                                        double half_angle, double *form_factor);
 
+/**
+ * Solid angle of a triangle without a sampler, in steradians: up to 2 pi close to it, to 1e-15 of
+ * itself however small it is. Both sides count. [OS83]
+ * @param position  of the receiver, 3 finite numbers
+ * @return PSC_SUCCESS, PSC_EMPTY (no area, or seen edge-on; 0 is written),
+ *         PSC_ERROR_NULL_POINTER, PSC_ERROR_NOT_FINITE
+ * @since 0.1
+ */
+PSC_API psc_result psc_triangle_solid_angle(const double position[3], const double v0[3],
+                                            const double v1[3], const double v2[3],
+                                            double *solid_angle);
+
 /* ---- The function table, for programs that load the library at run time ----------------------- */
 
 /** Every function above, in the order of this header. The table only ever grows at its end. */
@@ -630,6 +670,8 @@ typedef struct psc_api_1 {
                                const double *, double);
     psc_result (*build_cap)(psc_sampler *, const psc_technique *, const psc_receiver *,
                             const double *, double);
+    psc_result (*build_triangle)(psc_sampler *, const psc_technique *, const psc_receiver *,
+                                 const double *, const double *, const double *);
     psc_result (*sample_f64)(const psc_sampler *, double, double, psc_light_sample_f64 *);
     psc_result (*sample_f32)(const psc_sampler *, float, float, psc_light_sample_f32 *);
     psc_result (*pdf_f64)(const psc_sampler *, const double *, double *);
@@ -670,6 +712,8 @@ typedef struct psc_api_1 {
     psc_result (*sphere_form_factor)(const psc_receiver *, const double *, double, double *);
     psc_result (*cap_solid_angle)(double, double *);
     psc_result (*cap_form_factor)(const psc_receiver *, const double *, double, double *);
+    psc_result (*triangle_solid_angle)(const double *, const double *, const double *,
+                                       const double *, double *);
 } psc_api_1;
 
 /**

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The area map of a triangle, in double behind both precisions: the cube of the distance leaves
+   float's range too soon. */
+#ifndef PSC_SRC_FLAT_MAP_H
+#define PSC_SRC_FLAT_MAP_H
+
+#include "fan.h"
+
+/* A sampled point: shares of A, B and C, direction, distance in units of the view, density per
+   steradian, and cosine / density for a cosine of height / distance. */
+struct psc_flat_point {
+    double share[3], direction[3], distance, height, pdf, inverse;
+};
+
+/* u is the fraction of the edge from A to C, v that of the area on the side of B. The density is
+   t^2 / (area |cos|), where |cos| is the height of the receiver above the light's plane over the
+   distance t. volume is twice that height times the area. */
+PSC_LANE void flat_map(const struct psc_flat *f, double volume, double u, double v,
+                       struct psc_flat_point *p)
+{
+    const double root = __builtin_sqrt(v);
+    const double c = root * u, a = root * (1.0 - u), b = (1.0 - v) / (1.0 + root);
+    double d[3], t, inverse, cube;
+    int i;
+
+    for (i = 0; i < 3; i++)
+        d[i] = f->b[i] + (a * f->edge_a[i] + c * f->edge_c[i]);
+    t = __builtin_sqrt(dot(d, d));
+    inverse = 1.0 / t;
+    cube = 2.0 * (t * t * t);
+    for (i = 0; i < 3; i++)
+        p->direction[i] = d[i] * inverse;
+    p->share[0] = a;
+    p->share[1] = b;
+    p->share[2] = c;
+    p->distance = t;
+    p->height = ((a * f->height_a + b * f->height) + c * f->height_c) * inverse;
+    p->pdf = cube / volume;
+    p->inverse = volume / cube;
+}
+
+#endif

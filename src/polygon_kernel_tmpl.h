@@ -1,0 +1,223 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Sampling of one build of a flat light with straight edges, one sample at a time or in blocks
+ * that vectorise. Template: see precision.h.
+ */
+#if PSC_REAL_BITS == 64
+#define FAN_OF(from) (*(from))
+#define FACE_OF(from) (*(from))
+#else
+#define FAN_OF(from) psc_fan_round(from)
+#define FACE_OF(from) psc_face_round(from)
+#endif
+
+/* What all samples of a light share. */
+struct FN(psc_polygon_world) {
+    real pdf, total, unit; /* density, its inverse, and the length of 1 in the view */
+    enum psc_facing facing;
+};
+
+PSC_LANE void FN(polygon_world)(const psc_sampler *s, struct FN(psc_polygon_world) *w)
+{
+    w->pdf = (real)s->inverse_total;
+    w->total = (real)s->total;
+    w->unit = (real)(1.0 / s->polygon.view.scale);
+    w->facing = s->facing;
+}
+
+/* The triangle of the fan that u falls to, and u within it. */
+PSC_LANE int FN(pick_triangle)(const struct psc_polygon_light *l, real u, real *within)
+{
+    int i, k = 0;
+
+    *within = u;
+    if (l->triangles == 1)
+        return 0;
+    for (i = 1; i < l->triangles; i++)
+        k += u >= (real)l->below[i];
+    u = (u - (real)l->below[k]) * (real)l->per_share[k];
+    *within = MIN(u, K(1.0));
+    return k;
+}
+
+PSC_LANE void FN(area_map)(const struct psc_flat *f, double volume, enum psc_facing facing, real u,
+                           real v, real share[3], real direction[3], real *distance, real *pdf,
+                           real *weight)
+{
+    struct psc_flat_point p;
+    int i;
+
+    flat_map(f, volume, (double)u, (double)v, &p);
+    for (i = 0; i < 3; i++) {
+        share[i] = (real)p.share[i];
+        direction[i] = (real)p.direction[i];
+    }
+    *distance = (real)p.distance;
+    *pdf = (real)p.pdf;
+    *weight = (real)(fan_cosine_f64(facing, p.height) * p.inverse);
+}
+
+/* ---- One sample ---- */
+
+static psc_result FN(polygon_sample)(const psc_sampler *s, real u, real v,
+                                     FN(psc_light_sample) *out)
+{
+    const struct psc_polygon_light *l = &s->polygon;
+    struct FN(psc_polygon_world) w;
+    struct FN(psc_face) face;
+    real share[3], distance;
+    int i, k;
+
+    if (s->sides == 0)
+        return PSC_EMPTY;
+    k = FN(pick_triangle)(l, u, &u);
+    FN(polygon_world)(s, &w);
+    if (s->measure == PSC_MEASURE_AREA) {
+        FN(area_map)(l->flat + k, l->volume, w.facing, u, v, share, out->direction, &distance,
+                     &out->pdf, &out->weight);
+    } else {
+        const struct FN(psc_fan) fan = FAN_OF(l->fan + k);
+        struct FN(psc_spot) p;
+
+        FN(fan_map)(&fan, u, v, &p);
+        FN(fan_direction)(&fan, &p, out->direction);
+        FN(fan_hit)(&fan, &p, share, share + 1, share + 2, &distance);
+        out->pdf = w.pdf;
+        out->weight = w.total * FN(fan_cosine)(w.facing, FN(fan_height)(&fan, &p));
+    }
+    face = FACE_OF(l->face + k);
+    FN(face_point)(&face, share[0], share[1], share[2], out->point, out->surface,
+                   out->surface + 1);
+    out->distance = distance * w.unit;
+    for (i = 0; i < 3; i++)
+        out->normal[i] = (real)l->normal[i];
+    return out->weight > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
+}
+
+/* ---- Blocks ---- */
+
+/* n samples of one triangle by solid angle; what does not vary is a loop of its own, so that all
+   of them become vector code. */
+static void FN(fan_block)(const psc_sampler *s, int k, size_t n, const real *restrict u,
+                          const real *restrict v, int surface, struct FN(psc_results) *restrict r)
+{
+    const struct FN(psc_fan) fan = FAN_OF(s->polygon.fan + k);
+    const struct FN(psc_face) face = FACE_OF(s->polygon.face + k);
+    real b[PSC_BLOCK], a[PSC_BLOCK], c[PSC_BLOCK];
+    const real normal[3] = {(real)s->polygon.normal[0], (real)s->polygon.normal[1],
+                            (real)s->polygon.normal[2]};
+    struct FN(psc_polygon_world) w;
+    size_t i;
+
+    FN(polygon_world)(s, &w);
+    for (i = 0; i < n; i++) {
+        struct FN(psc_spot) p;
+        real direction[3];
+
+        FN(fan_map)(&fan, u[i], v[i], &p);
+        FN(fan_direction)(&fan, &p, direction);
+        r->value[0][i] = direction[0];
+        r->value[1][i] = direction[1];
+        r->value[2][i] = direction[2];
+        b[i] = p.b;
+        a[i] = p.a;
+        c[i] = p.c;
+    }
+    for (i = 0; i < n; i++) {
+        const struct FN(psc_spot) p = {b[i], a[i], c[i]};
+
+        r->value[PSC_PDF][i] = w.pdf;
+        r->value[PSC_WEIGHT][i] =
+            w.total * FN(fan_cosine)(w.facing, FN(fan_height)(&fan, &p));
+    }
+    for (i = 0; surface && i < n; i++) {
+        const struct FN(psc_spot) p = {b[i], a[i], c[i]};
+        real share[3], distance, point[3], first, second;
+
+        FN(fan_hit)(&fan, &p, share, share + 1, share + 2, &distance);
+        FN(face_point)(&face, share[0], share[1], share[2], point, &first, &second);
+        FN(store_surface)(r, i, point, normal, distance * w.unit, first, second);
+    }
+}
+
+/* The same by area. */
+static void FN(flat_block)(const psc_sampler *s, int k, size_t n, const real *restrict u,
+                           const real *restrict v, int surface, struct FN(psc_results) *restrict r)
+{
+    const struct psc_flat flat = s->polygon.flat[k];
+    const struct FN(psc_face) face = FACE_OF(s->polygon.face + k);
+    const real normal[3] = {(real)s->polygon.normal[0], (real)s->polygon.normal[1],
+                            (real)s->polygon.normal[2]};
+    const double volume = s->polygon.volume;
+    struct FN(psc_polygon_world) w;
+    size_t i;
+
+    (void)surface;
+    FN(polygon_world)(s, &w);
+    for (i = 0; i < n; i++) {
+        real share[3], direction[3], distance, pdf, weight, point[3], first, second;
+
+        FN(area_map)(&flat, volume, w.facing, u[i], v[i], share, direction, &distance, &pdf,
+                     &weight);
+        FN(face_point)(&face, share[0], share[1], share[2], point, &first, &second);
+        r->value[0][i] = direction[0];
+        r->value[1][i] = direction[1];
+        r->value[2][i] = direction[2];
+        r->value[PSC_PDF][i] = pdf;
+        r->value[PSC_WEIGHT][i] = weight;
+        FN(store_surface)(r, i, point, normal, distance * w.unit, first, second);
+    }
+}
+
+typedef void (*FN(triangle_block))(const psc_sampler *s, int k, size_t n, const real *u,
+                                   const real *v, int surface, struct FN(psc_results) *r);
+
+/* A block of a light of more triangles than one: sorted by triangle, and put back. */
+static void FN(sorted_block)(const psc_sampler *s, FN(triangle_block) block, size_t n,
+                             const real *u, const real *v, int surface,
+                             struct FN(psc_results) *r)
+{
+    uint32_t index[PSC_MAX_FAN][PSC_BLOCK];
+    real within[PSC_BLOCK], su[PSC_BLOCK], sv[PSC_BLOCK];
+    size_t count[PSC_MAX_FAN] = {0}, i;
+    struct FN(psc_results) part;
+    int k, c;
+
+    for (i = 0; i < n; i++) {
+        k = FN(pick_triangle)(&s->polygon, u[i], within + i);
+        index[k][count[k]++] = (uint32_t)i;
+    }
+    for (k = 0; k < s->polygon.triangles; k++) {
+        for (i = 0; i < count[k]; i++) {
+            su[i] = within[index[k][i]];
+            sv[i] = v[index[k][i]];
+        }
+        block(s, k, count[k], su, sv, surface, &part);
+        for (c = 0; c < PSC_COMPONENTS; c++)
+            if (surface || c < PSC_POINT || c == PSC_WEIGHT)
+                for (i = 0; i < count[k]; i++)
+                    r->value[c][index[k][i]] = part.value[c][i];
+    }
+}
+
+static void FN(polygon_side_block)(const psc_sampler *s, int side, size_t n, const real *u,
+                                   const real *v, int surface, struct FN(psc_results) *r)
+{
+    const FN(triangle_block) block =
+        s->measure == PSC_MEASURE_AREA ? FN(flat_block) : FN(fan_block);
+    size_t i;
+
+    (void)side;
+    if (s->polygon.triangles == 1)
+        block(s, 0, n, u, v, surface, r);
+    else
+        FN(sorted_block)(s, block, n, u, v, surface, r);
+    for (i = 0; i < n; i++)
+        r->status[i] = r->value[PSC_WEIGHT][i] > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
+}
+
+static void FN(polygon_sample_n)(const psc_sampler *s, size_t count, const FN(psc_input) *uv,
+                                 const FN(psc_samples) *out)
+{
+    FN(sample_sides)(s, count, uv, out, FN(polygon_side_block));
+}

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* What a sampler keeps of a flat light with straight edges. */
+#ifndef PSC_SRC_POLYGON_STATE_H
+#define PSC_SRC_POLYGON_STATE_H
+
+#include "fan.h"
+
+enum { PSC_MAX_FAN = PSC_MAX_VERTICES - 2 };
+
+struct psc_polygon_light {
+    struct psc_polygon_view view;
+    double normal[3];                /* the light's own, of length 1 */
+    double up[3];                    /* the receiver's, of length 1; 0 when it has none */
+    double height[PSC_MAX_VERTICES]; /* of the vertices above the receiver's plane, in the view */
+    double area, solid_angle;        /* of the whole light */
+    double volume;                   /* area times twice the height of the receiver above the
+                                        light's plane, in units of the view */
+
+    /* The triangles that u selects from, without those of no size; below and per_share give the
+       share of u of all before, and 1 / the share of this one. */
+    int triangles;
+    double below[PSC_MAX_FAN], per_share[PSC_MAX_FAN];
+    struct psc_fan_f64 fan[PSC_MAX_FAN];
+    struct psc_face_f64 face[PSC_MAX_FAN];
+    struct psc_flat flat[PSC_MAX_FAN];
+};
+
+#endif

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Triangles: a fan of one. */
+#include "polygon_build.h"
+#include "polygon_light.h"
+
+static const char geometry[] = "vvv"; /* v0, v1, v2 */
+
+const struct psc_shape_row psc_shape_triangle = {
+    PSC_SHAPE_TRIANGLE, PSC_KERNEL_TRIANGLE, {1, 0, 1, 0}, psc_polygon_solid_angle_of,
+    psc_polygon_projected_solid_angle, psc_polygon_area, psc_polygon_pdf, psc_polygon_invert};
+
+psc_result psc_build_triangle(psc_sampler *sampler, const psc_technique *technique,
+                              const psc_receiver *receiver, const double v0[3],
+                              const double v1[3], const double v2[3])
+{
+    const double *const parts[] = {v0, v1, v2};
+
+    return psc_build(sampler, &psc_shape_triangle, geometry, technique, receiver, parts);
+}
+
+psc_result psc_triangle_solid_angle(const double position[3], const double v0[3],
+                                    const double v1[3], const double v2[3], double *solid_angle)
+{
+    struct psc_triangle_words words;
+    struct psc_triangle_view seen;
+    struct psc_polygon_view view;
+    double vertices[9];
+
+    if (!position || !v0 || !v1 || !v2 || !solid_angle)
+        return PSC_ERROR_NULL_POINTER;
+    memcpy(vertices, v0, 3 * sizeof *v0);
+    memcpy(vertices + 3, v1, 3 * sizeof *v1);
+    memcpy(vertices + 6, v2, 3 * sizeof *v2);
+    if (!is_finite3(position) || !is_finite3(v0) || !is_finite3(v1) || !is_finite3(v2) ||
+        !see_polygon(position, 3, vertices, &view))
+        return PSC_ERROR_NOT_FINITE;
+    triangle_words(&view, vertices, 0, 1, 2, &words);
+    see_triangle(&words, &seen);
+    *solid_angle = 2.0 * seen.half;
+    return *solid_angle > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
+}

@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Triangles by solid angle: triangle_solid_angle and triangle_arvo, for a receiver at the origin.
+ *
+ * A direction is compared in units of its precision's rounding times 1 + amp_xi, the sum of the
+ * lengths of its derivatives by xi1 and xi2: the least that rounding xi moves it by.
+ */
+#include "calls.h"
+#include "golden.h"
+
+#include <math.h>
+
+static const double origin[3] = {0.0, 0.0, 0.0};
+static const double unit_of[2] = {0x1p-24, 0x1p-53};
+
+static psc_result build_triangle(psc_sampler *sampler, const double *v)
+{
+    const psc_technique technique = make_technique(PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL);
+    const psc_receiver receiver = make_receiver(origin, NULL, 0);
+
+    return psc_build_triangle(sampler, &technique, &receiver, v, v + 3, v + 6);
+}
+
+static double relative(double value, quad exact)
+{
+    return (double)(quad_abs(value - exact) / exact);
+}
+
+/* The total, the handle-free function, and the density in both precisions. */
+static void compare_total(const psc_sampler *sampler, double alone, quad exact,
+                          double error[GOLDEN_MEASURES])
+{
+    psc_light_sample_f64 sample;
+    double total = NAN;
+
+    psc_sampler_solid_angle(sampler, &total);
+    error[0] = fmax(relative(total, exact), relative(alone, exact));
+    sample.pdf = NAN;
+    sample_any(64, sampler, 0.5, 0.5, &sample);
+    error[1] = relative(1.0 / sample.pdf, exact);
+    sample.pdf = NAN;
+    sample_any(32, sampler, 0.5, 0.5, &sample);
+    error[2] = relative(1.0 / sample.pdf, exact);
+}
+
+static void compare_triangle(const struct csv *row, double error[GOLDEN_MEASURES])
+{
+    const double *v = row->number;
+    struct test_sampler s;
+    double alone = NAN;
+
+    build_triangle(make_sampler(&s), v);
+    psc_triangle_solid_angle(origin, v, v + 3, v + 6, &alone);
+    compare_total(s.sampler, alone, row->exact[9], error);
+}
+
+/* Error of the direction at (u, v), in units of what its precision can hold. */
+static double direction_error(const psc_sampler *sampler, int bits, double u, double v,
+                              const quad exact[3], double amp)
+{
+    psc_light_sample_f64 sample;
+    quad sum = 0;
+    int i;
+
+    if (sample_any(bits, sampler, u, v, &sample) != PSC_SUCCESS)
+        return NAN;
+    for (i = 0; i < 3; i++)
+        sum += quad_square(sample.direction[i] - exact[i]);
+    return (double)quad_sqrt(sum) / (unit_of[bits == 64] * (1.0 + amp));
+}
+
+static void compare_arvo(const struct csv *row, double error[GOLDEN_MEASURES])
+{
+    const double *v = row->number;
+    struct test_sampler s;
+
+    build_triangle(make_sampler(&s), v);
+    error[0] = direction_error(s.sampler, 64, v[9], v[10], row->exact + 11, v[14]);
+    error[1] = direction_error(s.sampler, 32, v[9], v[10], row->exact + 11, v[14]);
+}
+
+#define TOTAL_MEASURES                                                                  \
+    {                                                                                   \
+        {"solid angle, relative", 1e-15},                                               \
+        {"density f64, relative", 1e-15},                                               \
+        {"density f32, relative", 1e-7},                                                \
+        {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}                                           \
+    }
+#define DIRECTION_MEASURES                                                              \
+    {                                                                                   \
+        {"direction f64, in eps (1 + amp)", 8.0},                                       \
+        {"direction f32, in eps (1 + amp)", 8.0},                                       \
+        {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}                              \
+    }
+
+const struct golden_quantity golden_polygons[] = {
+    {"triangle_solid_angle", "ax,ay,az,bx,by,bz,cx,cy,cz,omega", 10, compare_triangle,
+     TOTAL_MEASURES},
+    {"triangle_arvo", "ax,ay,az,bx,by,bz,cx,cy,cz,xi1,xi2,dx,dy,dz,amp_xi,amp_v", 16,
+     compare_arvo, DIRECTION_MEASURES},
+    {NULL, NULL, 0, NULL,
+     {{NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}}},
+};
