@@ -49,8 +49,8 @@ struct shape {
        `hard` asks for extreme forms too: needles, aspects down to 1e-8. */
     void (*make)(uint64_t *state, const struct test_technique *what, int hard, double *geometry);
 
-    /* How far along a ray the light is; negative if it is missed. Plain geometry in double that
-       shares nothing with the library. From inside, where the ray leaves. */
+    /* How far along a ray the light is, in lengths of the direction; negative if it is missed.
+       From inside, where the ray leaves. Plain geometry that shares nothing with the library. */
     double (*hit)(const double *geometry, const double from[3], const double direction[3]);
 
     /* How far a point is off the surface, and the outward unit normal next to it. */

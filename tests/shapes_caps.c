@@ -128,17 +128,18 @@ static void sphere_make(uint64_t *state, const struct test_technique *what, int 
 
 static double sphere_hit(const double *g, const double from[3], const double direction[3])
 {
+    const double length2 = dot(direction, direction);
     double to[3], along, beside[3], root;
     int i;
 
     subtract3(g, from, to);
-    along = dot(to, direction) / dot(direction, direction);
+    along = dot(to, direction) / length2;
     for (i = 0; i < 3; i++)
         beside[i] = to[i] - along * direction[i];
     root = g[3] * g[3] - dot(beside, beside);
     if (root < 0.0)
         return -1.0;
-    root = sqrt(root);
+    root = sqrt(root / length2);
     return along > root ? along - root : along + root;
 }
 

@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Random samples counted in cells whose probabilities are exact: the chi-square statistic.
+ * Random samples of spheres counted in cells whose probabilities are exact: the chi-square
+ * statistic. test_directions.c does so for all shapes, with cells that are only measured.
  *
  * The cells are no images of a grid on the square. For projected solid angle they are strips of
  * the projection, cut across, with the area between chords of equations 13 and 14 of [UG18]
  * (those below the horizon of a two-sided receiver apart). For solid angle and area they are
  * rings about the light's axis, cut into sectors. Also counted: that nothing falls outside.
  */
+#include "chi_square.h"
 #include "shapes.h"
 #include "vectors.h"
-#include "worst.h"
+#include "tap.h"
 
 enum { ROWS = 11, COLUMNS = 13, SIDES = 2, SAMPLES = 200000, CUTS = 4000 };
 
@@ -124,40 +126,6 @@ static void count_ring(const struct setting *s, const psc_light_sample_f64 *samp
           (atan2(dot(w, up), dot(w, side)) / (2.0 * acos(-1.0)) + 0.5) * COLUMNS);
 }
 
-/* What a chi-square variable of n degrees of freedom exceeds with probability 1e-6: Wilson's and
-   Hilferty's approximation, 4.7534 being the normal quantile. */
-static double chi_square_limit(int n)
-{
-    double a = 2.0 / (9.0 * n);
-    return n * pow(1.0 - a + 4.7534 * sqrt(a), 3.0);
-}
-
-static double chi_square(const struct grid *g, int *freedom)
-{
-    double sum = 0.0, rest = 0.0, rest_counted = 0.0;
-    int side, row, column, cells = 0;
-
-    for (side = 0; side < SIDES; side++)
-        for (row = 0; row < ROWS; row++)
-            for (column = 0; column < COLUMNS; column++) {
-                double e = g->expected[side][row][column];
-                double c = (double)g->counted[side][row][column];
-                if (e < 20.0) { /* too few: taken together */
-                    rest += e;
-                    rest_counted += c;
-                } else {
-                    sum += (c - e) * (c - e) / e;
-                    cells++;
-                }
-            }
-    if (rest >= 20.0) {
-        sum += (rest_counted - rest) * (rest_counted - rest) / rest;
-        cells++;
-    }
-    *freedom = cells - 1;
-    return sum;
-}
-
 static void test(int bits, const struct setting *s)
 {
     const double origin[3] = {0.0, 0.0, 0.0}, normal[3] = {0.0, 0.0, 1.0};
@@ -184,7 +152,7 @@ static void test(int bits, const struct setting *s)
         sample_any(bits, sampler.sampler, u, v, &sample);
         (projected ? count_projected : count_ring)(s, &sample, &g);
     }
-    x2 = chi_square(&g, &freedom);
+    x2 = chi_square(&g.counted[0][0][0], &g.expected[0][0][0], SIDES * ROWS * COLUMNS, &freedom);
     tap_ok(x2 <= chi_square_limit(freedom) && g.outside == 0,
            "%s, f%d, a %g, b %g%s: %.0f of at most %.0f with %d degrees of freedom, %ld outside",
            s->what->name, bits, s->alpha, s->beta, s->flags ? ", two-sided" : "", x2,

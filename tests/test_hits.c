@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
  * Every sample is one: finite, of unit length, its point on the light and where the direction
- * says, with its normal and texture coordinates; at the ends of the square, from inside, from the
+ * says, with its normal and texture coordinates, the density that its measure has there, and
+ * culled for a reason; at the ends of the square, from inside, from the
  * surface, from both sides of the receiver, close by and far away.
  */
 #include "shapes.h"
@@ -11,7 +12,7 @@
 enum { LIGHTS = 400, SAMPLES = 12 };
 
 struct errors {
-    struct worst unit, normal_unit, on_surface, along, normal, weight, texture;
+    struct worst unit, normal_unit, on_surface, along, normal, density, weight, culled, texture;
     long odd; /* something that no sample may be */
     char first_odd[sizeof ((struct worst *)0)->where];
 };
@@ -54,24 +55,54 @@ static int finite_sample(const psc_light_sample_f64 *s, const struct light *ligh
            (is_distant(light->shape) ? isinf(s->distance) : isfinite(s->distance));
 }
 
-/* The weight times the pdf is the cosine. */
-static double expected_cosine(const struct light *light, const psc_light_sample_f64 *s)
+/* At the receiver; 1 without a normal. */
+static double receiver_cosine(const struct light *light, const psc_light_sample_f64 *s)
 {
     double cosine;
 
     if (!light->has_normal)
         return 1.0;
     cosine = dot(s->direction, light->normal) / sqrt(dot(light->normal, light->normal));
-    return light->flags ? fabs(cosine) : fmax(cosine, 0.0);
+    return light->flags ? fabs(cosine) : cosine;
 }
 
-static void check(int bits, const struct light *light, double u, double v, psc_result result,
-                  const psc_light_sample_f64 *s, struct errors *e)
+/* The cosine at the surface of a closed light sampled by area: below 0 on the near side, 0 at the
+   limb; or -1 if nothing is turned away. */
+static double turned_away(const struct light *light, const psc_sampler *sampler,
+                          const psc_light_sample_f64 *s)
+{
+    psc_description d = {sizeof d, 0, 0, 0, 0, 0};
+
+    psc_sampler_describe(sampler, &d);
+    return light->shape->flat || light->what->measure < PSC_MEASURE_AREA ||
+                   d.visibility == PSC_CASE_INSIDE
+               ? -1.0
+               : dot(s->direction, s->normal);
+}
+
+/* What the pdf must be, by what the measure is, times what makes the rounding of the direction
+   count once: the cosine at the light, for area. */
+static double density_error(const struct light *light, double total,
+                            const psc_light_sample_f64 *s)
+{
+    const double cosine = receiver_cosine(light, s);
+
+    switch (light->what->measure) {
+    case PSC_MEASURE_SOLID_ANGLE: return s->pdf * total - 1.0;
+    case PSC_MEASURE_PROJECTED_SOLID_ANGLE: return s->pdf * total - cosine;
+    default:
+        return s->distance * s->distance / (total * s->pdf) -
+               fabs(dot(s->direction, s->normal));
+    }
+}
+
+static void check(int bits, const struct light *light, const psc_sampler *sampler, double u,
+                  double v, psc_result result, const psc_light_sample_f64 *s, struct errors *e)
 {
     const char *text = "%s f%d u %a v %a", *name = describe_light(light);
     const struct shape *shape = light->shape;
     const double unit = unit_of(bits);
-    double normal[3], other[3], reach, off;
+    double normal[3], other[3], reach, off, cosine, away, total = NAN;
     int i;
 
     if (!((result == PSC_SUCCESS || result == PSC_CULLED) && finite_sample(s, light)) ||
@@ -82,9 +113,16 @@ static void check(int bits, const struct light *light, double u, double v, psc_r
     }
     worst_add(&e->unit, off_unit(s->direction) / unit, text, name, bits, u, v);
     worst_add(&e->normal_unit, off_unit(s->normal) / unit, text, name, bits, u, v);
+    cosine = receiver_cosine(light, s);
     if (result == PSC_SUCCESS && isfinite(s->pdf))
-        worst_add(&e->weight, fabs(s->weight * s->pdf - expected_cosine(light, s)) / unit, text,
-                  name, bits, u, v);
+        worst_add(&e->weight, fabs(s->weight * s->pdf - cosine) / unit, text, name, bits, u, v);
+    away = turned_away(light, sampler, s);
+    off = fmax(-cosine, away);
+    worst_add(&e->culled, (result == PSC_CULLED ? -off : off) / unit, text, name, bits, u, v);
+    psc_sampler_total(sampler, &total);
+    if (isfinite(s->pdf))
+        worst_add(&e->density, fabs(density_error(light, total, s)) / unit, text, name, bits, u,
+                  v);
     off = shape->surface(light->geometry, s->point, normal);
     if (is_distant(shape)) {
         for (i = 0; i < 3; i++)
@@ -142,7 +180,7 @@ static void hits(const struct shape *shape, const struct test_technique *what, i
             }
             memset(&sample, 0xff, sizeof sample);
             result = sample_any(bits, s.sampler, u, v, &sample);
-            check(bits, &light, u, v, result, &sample, &e);
+            check(bits, &light, s.sampler, u, v, result, &sample, &e);
         }
     }
     if (!tap_ok(e.odd == 0, "%s, %s, f%d: %ld results that are no samples", shape->name,
@@ -153,7 +191,9 @@ static void hits(const struct shape *shape, const struct test_technique *what, i
                  what->name, bits)
     REPORT(unit, 8.0, "unit direction");
     REPORT(normal_unit, 16.0, "unit normal");
+    REPORT(density, 32.0, "density of the measure");
     REPORT(weight, 32.0, "weight times pdf");
+    REPORT(culled, 32.0, "on the wrong side, or culled on the right one");
     if (!is_distant(shape)) {
         REPORT(on_surface, 16.0, "point on the light");
         REPORT(along, 16.0, "point along the direction");

@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Estimates are right: over a fine lattice on the square the mean of 1 / pdf is the solid angle of
+ * what is sampled, and the mean weight is the projected solid angle, whichever the technique.
+ *
+ * Both are compared with the library's answers, and these with a count of rays: directions of a
+ * lattice on a cone around the light that hit it by plain geometry, and their cosines.
+ */
+#include "rays.h"
+#include "worst.h"
+
+enum { LIGHTS = 24, N = 144, RAYS = 100000 };
+
+static const double bound = 1e-3;
+
+/* Whether the direction of the sample is one that no other has: the far side of a closed light
+   shares its directions with the near one. */
+static int is_near(const struct light *light, const psc_sampler *sampler,
+                   const psc_light_sample_f64 *s)
+{
+    psc_description d = {sizeof d, 0, 0, 0, 0, 0};
+
+    if (light->shape->flat || light->what->measure != PSC_MEASURE_AREA)
+        return 1;
+    psc_sampler_describe(sampler, &d);
+    return d.visibility == PSC_CASE_INSIDE || dot(s->direction, s->normal) < 0.0;
+}
+
+struct sums {
+    double solid, projected;
+};
+
+/* Means of 1 / pdf and of the weight. */
+static struct sums take_samples(const struct light *light, const psc_sampler *sampler)
+{
+    struct sums sums = {0.0, 0.0};
+    int i, j;
+
+    for (i = 0; i < N; i++)
+        for (j = 0; j < N; j++) {
+            psc_light_sample_f64 s;
+
+            memset(&s, 0xff, sizeof s);
+            psc_sample_f64(sampler, (i + 0.5) / N, (j + 0.5) / N, &s);
+            sums.projected += s.weight / (N * N);
+            if (is_near(light, sampler, &s))
+                sums.solid += 1.0 / s.pdf / (N * N);
+        }
+    return sums;
+}
+
+/* The light without and with the cosine of the receiver. */
+static struct sums count_rays(const struct light *light)
+{
+    struct sums sums = {0.0, 0.0};
+    struct cone cone;
+    int i;
+
+    make_cone(light, &cone);
+    for (i = 0; i < RAYS; i++) {
+        double w[3];
+
+        cone_direction(&cone, i, w);
+        if (light->shape->hit(light->geometry, light->position, w) < 0.0)
+            continue;
+        sums.solid += cone.solid_angle / RAYS;
+        sums.projected += cone.solid_angle / RAYS * cosine_at(light, w);
+    }
+    return sums;
+}
+
+/* As errors are given: relative, but to no less than an eighth of the solid angle, since a light
+   that is almost below the horizon needs a finer lattice than any here. */
+static double apart(double found, double expected, double solid)
+{
+    return fabs(found - expected) / fmax(expected, solid / 8.0);
+}
+
+/* Light i: above the horizon or across it, seen by receivers of every kind. From close by, most of
+   a closed light is its far side, and the near side between the points of a lattice. */
+static psc_result make_light(uint64_t *seed, const struct shape *shape,
+                             const struct test_technique *what, int i, psc_sampler *sampler,
+                             struct light *light)
+{
+    const int far = !shape->flat && what->measure >= PSC_MEASURE_AREA;
+    const int place = far ? PLACE_FAR : !shape->flat && i % 6 == 5 ? PLACE_INSIDE : PLACE_ORDINARY;
+    const int facing = i % FACINGS == FACING_NONE && !is_offered(what, FACING_NONE) ? FACING_ONE
+                                                                                    : i % FACINGS;
+
+    place_light(seed, shape, what, place, i % 2 ? HORIZON_CUT : HORIZON_ABOVE, facing, light);
+    return build_light(sampler, light);
+}
+
+/* The library's answers. */
+static struct sums ask(const struct light *light, const psc_sampler *sampler)
+{
+    struct sums answers = {NAN, NAN};
+
+    psc_sampler_solid_angle(sampler, &answers.solid);
+    if (light->has_normal)
+        psc_sampler_projected_solid_angle(sampler, &answers.projected);
+    return answers;
+}
+
+/* By projected solid angle only what is above the horizon is sampled. */
+static void samples(const struct shape *shape, const struct test_technique *what)
+{
+    const int whole = what->measure != PSC_MEASURE_PROJECTED_SOLID_ANGLE;
+    struct worst solid = {0}, projected = {0};
+    uint64_t seed = 150;
+    int i;
+
+    for (i = 0; i < LIGHTS; i++) {
+        struct test_sampler s;
+        struct light light;
+        struct sums mean, answers;
+
+        if (make_light(&seed, shape, what, i, make_sampler(&s), &light) != PSC_SUCCESS)
+            continue;
+        mean = take_samples(&light, s.sampler);
+        answers = ask(&light, s.sampler);
+        if (whole)
+            worst_add(&solid, apart(mean.solid, answers.solid, 0.0), "%s", describe_light(&light));
+        if (answers.projected == answers.projected) /* of caps up to a right angle */
+            worst_add(&projected, apart(mean.projected, answers.projected, answers.solid), "%s",
+                      describe_light(&light));
+    }
+    if (whole)
+        worst_report(&solid, bound, "%s, %s: mean of 1 / pdf", shape->name, what->name);
+    worst_report(&projected, bound, "%s, %s: mean weight", shape->name, what->name);
+}
+
+static void rays(const struct shape *shape)
+{
+    struct worst solid = {0}, projected = {0};
+    uint64_t seed = 151;
+    int i;
+
+    for (i = 0; i < 4 * LIGHTS; i++) {
+        struct test_sampler s;
+        struct light light;
+        struct sums found, answers;
+
+        if (make_light(&seed, shape, shape->techniques, i, make_sampler(&s), &light) !=
+            PSC_SUCCESS)
+            continue;
+        found = count_rays(&light);
+        answers = ask(&light, s.sampler);
+        worst_add(&solid, apart(found.solid, answers.solid, 0.0), "%s", describe_light(&light));
+        if (answers.projected == answers.projected)
+            worst_add(&projected, apart(found.projected, answers.projected, answers.solid), "%s",
+                      describe_light(&light));
+    }
+    worst_report(&solid, bound, "%s: solid angle by rays", shape->name);
+    worst_report(&projected, bound, "%s: projected solid angle by rays", shape->name);
+}
+
+int main(void)
+{
+    const struct test_technique *what;
+    int i;
+
+    for (i = 0; shapes[i]; i++) {
+        rays(shapes[i]);
+        for (FOR_TECHNIQUES(shapes[i], what))
+            samples(shapes[i], what);
+    }
+    return tap_done();
+}
