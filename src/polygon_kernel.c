@@ -21,4 +21,4 @@
 #include "sides_tmpl.h"
 #include "polygon_kernel_tmpl.h"
 
-PSC_KERNEL(triangle, FN(polygon_sample), FN(polygon_sample_n), NULL, triangle_build);
+PSC_KERNEL(triangle, FN(polygon_sample), FN(polygon_sample_n), NULL, triangle_build, NULL, NULL);
