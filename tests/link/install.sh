@@ -17,6 +17,27 @@ sed "s|^prefix=|prefix=$place|" "$pc" > "$place/libpsc.pc"
 warnings='-Wall -Wextra -pedantic -Werror'
 export LD_LIBRARY_PATH="$library"
 
+# What goes where, below the library's directory and the prefix.
+layout() {
+    find "$place$prefix" -type f -o -type l | sed "s|^$library/|LIB/|; s|^$place$prefix/||" |
+        LC_ALL=C sort > "$place/installed"
+    diff - "$place/installed" <<END
+LIB/libpsc.a
+LIB/libpsc.so
+LIB/libpsc.so.0
+LIB/libpsc.so.0.${version#*.}
+LIB/pkgconfig/libpsc.pc
+include/psc/psc.h
+include/psc/psc.hpp
+share/doc/libpsc/LICENSE
+share/doc/libpsc/NEWS
+share/doc/libpsc/README.md
+share/doc/libpsc/guide.md
+END
+}
+prefix=$(PKG_CONFIG_PATH=${pc%/*} pkg-config --variable=prefix libpsc)
+version=$(PKG_CONFIG_PATH=$place pkg-config --modversion libpsc)
+
 flags() {
     PKG_CONFIG_PATH=$place pkg-config "$@" libpsc
 }
@@ -72,6 +93,7 @@ cmake_project() {
     done
 }
 
+check 'layout' layout
 check 'C program, shared library' shared cc program.c
 check 'C program, static library' static cc program.c
 for compiler in g++ clang++; do
