@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <cstring>
 #include <optional>
+#include <tuple>
 #include <type_traits>
 
 #include <psc/psc.h>
@@ -54,55 +55,82 @@ struct receiver {
 /** What psc.h makes of a receiver: it points into r. */
 inline psc_receiver borrow(const receiver &r) noexcept
 {
-    return {sizeof(psc_receiver), r.flags, r.position.data(), r.normal ? r.normal->data() : nullptr};
+    return {sizeof(psc_receiver), r.flags, r.position.data(),
+            r.normal ? r.normal->data() : nullptr};
 }
 
-/* ---- Lights ------------------------------------------------------------------------------- */
+/* ---- Lights: their numbers, and the calls that take them ------------------------------------ */
 
 /** See psc_build_sphere(). */
 struct sphere {
     vector center;
     double radius;
+
+    auto parts() const noexcept
+    {
+        return std::make_tuple(center.data(), radius);
+    }
+    static constexpr auto build = psc_build_sphere;
+    static constexpr auto form_factor = psc_sphere_form_factor;
+    static constexpr auto solid_angle = psc_sphere_solid_angle;
+    static constexpr auto sample_n_f32 = psc_sphere_sample_n_f32;
+    static constexpr auto sample_n_f64 = psc_sphere_sample_n_f64;
 };
 
 /** See psc_build_cap(). */
 struct cap {
     vector axis;
     double half_angle;
+
+    auto parts() const noexcept
+    {
+        return std::make_tuple(axis.data(), half_angle);
+    }
+    static constexpr auto build = psc_build_cap;
+    static constexpr auto form_factor = psc_cap_form_factor;
+    static constexpr auto sample_n_f32 = psc_cap_sample_n_f32;
+    static constexpr auto sample_n_f64 = psc_cap_sample_n_f64;
+};
+
+/** See psc_build_triangle(). */
+struct triangle {
+    vector v0, v1, v2;
+
+    auto parts() const noexcept
+    {
+        return std::make_tuple(v0.data(), v1.data(), v2.data());
+    }
+    static constexpr auto build = psc_build_triangle;
+    static constexpr auto solid_angle = psc_triangle_solid_angle;
 };
 
 /** Builds the sampler of a light, whichever it is. */
-inline psc_result build(psc_sampler *sampler, const psc_technique &technique,
-                        const receiver &from, const sphere &light) noexcept
+template <class Light>
+psc_result build(psc_sampler *sampler, const psc_technique &technique, const receiver &from,
+                 const Light &light) noexcept
 {
     const psc_receiver point = borrow(from);
-    return psc_build_sphere(sampler, &technique, &point, light.center.data(), light.radius);
-}
-
-inline psc_result build(psc_sampler *sampler, const psc_technique &technique,
-                        const receiver &from, const cap &light) noexcept
-{
-    const psc_receiver point = borrow(from);
-    return psc_build_cap(sampler, &technique, &point, light.axis.data(), light.half_angle);
+    return std::apply(
+        [&](auto... part) { return Light::build(sampler, &technique, &point, part...); },
+        light.parts());
 }
 
 /** Form factor from a receiver to a light, without a sampler. */
-inline psc_result form_factor(const receiver &from, const sphere &light, double &out) noexcept
+template <class Light>
+psc_result form_factor(const receiver &from, const Light &light, double &out) noexcept
 {
     const psc_receiver point = borrow(from);
-    return psc_sphere_form_factor(&point, light.center.data(), light.radius, &out);
+    return std::apply([&](auto... part) { return Light::form_factor(&point, part..., &out); },
+                      light.parts());
 }
 
-inline psc_result form_factor(const receiver &from, const cap &light, double &out) noexcept
+/** Solid angle of a light that is not distant, seen from a point, without a sampler. */
+template <class Light>
+psc_result solid_angle(const vector &position, const Light &light, double &out) noexcept
 {
-    const psc_receiver point = borrow(from);
-    return psc_cap_form_factor(&point, light.axis.data(), light.half_angle, &out);
-}
-
-/** Solid angle of a light seen from a point, without a sampler. */
-inline psc_result solid_angle(const vector &position, const sphere &light, double &out) noexcept
-{
-    return psc_sphere_solid_angle(position.data(), light.center.data(), light.radius, &out);
+    return std::apply(
+        [&](auto... part) { return Light::solid_angle(position.data(), part..., &out); },
+        light.parts());
 }
 
 /* ---- Arrays ------------------------------------------------------------------------------- */
@@ -175,38 +203,22 @@ struct receivers
     }
 };
 
-/** One build and one sample per element: spheres. */
-inline psc_result sphere_sample_n(const psc_technique &technique, std::size_t count,
-                                  const receivers<double> &from, const psc_input_f64 &center,
-                                  const psc_input_f64 &radius, const psc_input_f64 &uv,
-                                  const psc_samples_f64 &out) noexcept
+/** One build and one sample per element: sample_n<psc::sphere>(technique, count, from, uv, out,
+    centers, radii), with a view for each part of the light. */
+template <class Light, class Real, class... Views>
+psc_result sample_n(const psc_technique &technique, std::size_t count, const receivers<Real> &from,
+                    const typename view<Real>::input &uv, const samples<Real> &out,
+                    const Views &...parts) noexcept
 {
-    return psc_sphere_sample_n_f64(&technique, count, &from, &center, &radius, &uv, &out);
-}
-
-inline psc_result sphere_sample_n(const psc_technique &technique, std::size_t count,
-                                  const receivers<float> &from, const psc_input_f32 &center,
-                                  const psc_input_f32 &radius, const psc_input_f32 &uv,
-                                  const psc_samples_f32 &out) noexcept
-{
-    return psc_sphere_sample_n_f32(&technique, count, &from, &center, &radius, &uv, &out);
-}
-
-/** One build and one sample per element: distant lights. */
-inline psc_result cap_sample_n(const psc_technique &technique, std::size_t count,
-                               const receivers<double> &from, const psc_input_f64 &axis,
-                               const psc_input_f64 &half_angle, const psc_input_f64 &uv,
-                               const psc_samples_f64 &out) noexcept
-{
-    return psc_cap_sample_n_f64(&technique, count, &from, &axis, &half_angle, &uv, &out);
-}
-
-inline psc_result cap_sample_n(const psc_technique &technique, std::size_t count,
-                               const receivers<float> &from, const psc_input_f32 &axis,
-                               const psc_input_f32 &half_angle, const psc_input_f32 &uv,
-                               const psc_samples_f32 &out) noexcept
-{
-    return psc_cap_sample_n_f32(&technique, count, &from, &axis, &half_angle, &uv, &out);
+    using input = typename view<Real>::input;
+    const auto call = [&](const auto *...part) {
+        if constexpr (std::is_same_v<Real, float>)
+            return Light::sample_n_f32(&technique, count, &from, part..., &uv, &out);
+        else
+            return Light::sample_n_f64(&technique, count, &from, part..., &uv, &out);
+    };
+    const auto address = [](const input &part) { return &part; };
+    return call(address(parts)...);
 }
 
 /* ---- The sampler ------------------------------------------------------------------------ */

@@ -2,15 +2,18 @@
 # SPDX-License-Identifier: Apache-2.0
 # run.sh CLIENT ROOT LIBRARY [KOFFI]: runs the test of a client in another language, or says what of
 # that language is missing. KOFFI is the folder with node_modules.
+# run.sh missing WHAT: says that.
 set -u
-client=$1
-here=$2/tests/clients
-library=$3
 
 skip() {
     echo "1..0 # SKIP no $1"
     exit 0
 }
+
+[ "$1" = missing ] && skip "$2"
+client=$1
+here=$2/tests/clients
+library=$3
 
 has() {
     command -v "$1" > /dev/null
