@@ -8,7 +8,7 @@ build=${BUILD:-$tests/../build}
 log=$build/meson-logs/testlog.json
 
 rm -f "$log"
-sh "$tests/setup.sh" "$build" || { echo '0 passed, 1 failed'; exit 1; }
+sh "$tests/setup.sh" "$build" tests || { echo '0 passed, 1 failed'; exit 1; }
 meson test -C "$build" --print-errorlogs "$@"
 status=$?
 python3 "$tests/count.py" "$log" || exit 1

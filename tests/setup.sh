@@ -1,33 +1,38 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# setup.sh BUILD: installs what is missing from Debian's packages (with sudo, unless root), then
-# configures the build directory for everything: library, tests, ABI guard, renderer.
+# setup.sh BUILD WHAT: installs what is missing from Debian's packages (with sudo, unless root), then
+# configures the build directory: for WHAT = render, the library and the renderer; for tests,
+# everything.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 build=$1
+what=$2
 
 missing=
 need() {
     command -v "$1" > /dev/null || missing="$missing $2"
 }
 need cc gcc
-need c++ g++
 need python3 python3
 need meson meson
 need ninja ninja-build
 need pkg-config pkg-config
-need readelf binutils
-need cmake cmake
-need abidw abigail-tools
-# The clients in other languages.
-need luajit luajit
-need rustc rustc
-need node nodejs
-need npm npm
-/usr/bin/python3 -c 'import numpy' 2> /dev/null || missing="$missing python3-numpy"
-[ -f /usr/include/embree3/rtcore.h ] || missing="$missing libembree-dev"
-need doxygen doxygen
 pkg-config --exists cairo 2> /dev/null || missing="$missing libcairo2-dev"
+options=-Drender=enabled
+
+if [ "$what" = tests ]; then
+    need c++ g++
+    need cmake cmake
+    need readelf binutils
+    need abidw abigail-tools
+    need doxygen doxygen
+    # Clients. Node.js is used where it is: Debian's npm would bring 500 packages.
+    need luajit luajit
+    need rustc rustc
+    /usr/bin/python3 -c 'import numpy' 2> /dev/null || missing="$missing python3-numpy"
+    [ -f /usr/include/embree3/rtcore.h ] || missing="$missing libembree-dev"
+    options="$options -Dabi=enabled"
+fi
 
 if [ -n "$missing" ]; then
     echo "installing$missing"
@@ -39,15 +44,16 @@ if [ -n "$missing" ]; then
 fi
 
 if [ -f "$build/build.ninja" ]; then
-    meson configure "$build" -Dabi=enabled -Drender=enabled
+    meson configure "$build" $options
 else
-    meson setup "$build" "$root" -Dabi=enabled -Drender=enabled
+    meson setup "$build" "$root" $options
 fi
 
 # What the JavaScript client needs and Debian lacks. Without it, its test is skipped by name.
-if [ ! -d "$build/javascript/node_modules/koffi" ]; then
+if [ "$what" = tests ] && command -v npm > /dev/null &&
+    [ ! -d "$build/javascript/node_modules/koffi" ]; then
     mkdir -p "$build/javascript"
     cp "$root"/tests/clients/javascript/package*.json "$build/javascript"
     npm ci --prefix "$build/javascript" --ignore-scripts --no-audit --no-fund --silent ||
-        echo 'no koffi: the JavaScript client is not tested'
+        echo 'npm did not install koffi: the JavaScript client is not tested'
 fi

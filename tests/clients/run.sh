@@ -44,7 +44,7 @@ case $client in
     javascript)
         has node || skip node
         export NODE_PATH=$4/node_modules
-        node -e "require('koffi')" 2> /dev/null || skip "koffi for node"
+        node -e "require('koffi')" 2> /dev/null || skip "koffi for node (npm installs it)"
         exec node "$here/javascript/test.js" "$library"
         ;;
 esac

@@ -8,7 +8,7 @@ root=$(cd "$(dirname "$0")/../.." && pwd)
 build=${BUILD:-$root/build}
 output=${OUTPUT:-$build/pictures}
 
-sh "$root/tests/setup.sh" "$build"
+sh "$root/tests/setup.sh" "$build" render
 meson compile -C "$build" render maps
 mkdir -p "$output"
 "$build/tests/render/maps" "$output"
