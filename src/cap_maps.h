@@ -11,6 +11,7 @@
 #include "cone_map_tmpl.h"
 #include "ellipse_map_tmpl.h"
 #include "radial_map_tmpl.h"
+#include "chord_tmpl.h"
 #include "parallel_map_tmpl.h"
 #include "area_map.h"
 #include "lune_map.h"

@@ -19,4 +19,13 @@
 #define PSC_LANE static inline
 #endif
 
+/* Before a short loop of constant length inside a loop that is to vectorise. */
+#if defined(__clang__)
+#define PSC_UNROLL _Pragma("unroll")
+#elif defined(__GNUC__)
+#define PSC_UNROLL _Pragma("GCC unroll 24")
+#else
+#define PSC_UNROLL
+#endif
+
 #endif

@@ -6,6 +6,7 @@
 #include <psc/psc.h>
 
 #include "cap_side.h"
+#include "disk_side.h"
 #include "polygon_state.h"
 #include "shapes.h"
 
@@ -36,6 +37,7 @@ struct psc_sampler {
     /* By family. */
     union {
         struct psc_cap_light cap;
+        struct psc_disk_light disk;
         struct psc_polygon_light polygon;
     };
 };
@@ -198,6 +200,7 @@ struct psc_kernel_f64 {
                          psc_light_sample_f64 *sample);
     void (*sample_n)(const psc_sampler *sampler, size_t count, const psc_input_f64 *uv,
                      const psc_samples_f64 *out);
+    /* NULL: the calls for one do it. */
     void (*wave)(const struct psc_wave *wave, const double *u, const double *v,
                  struct psc_results_f64 *results);
     /* Fills a cleared sampler; the numbers are finite. In double behind both precisions. */

@@ -5,9 +5,12 @@
 #ifndef PSC_SRC_SHAPES_H
 #define PSC_SRC_SHAPES_H
 
-#define PSC_SHAPES(X, from)   \
-    X(from, SPHERE, sphere)   \
-    X(from, CAP, cap)         \
+#define PSC_SHAPES(X, from)       \
+    X(from, SPHERE, sphere)       \
+    X(from, CAP, cap)             \
+    X(from, DISK, disk)           \
+    X(from, ELLIPSE, ellipse)     \
+    X(from, ELLIPSOID, ellipsoid) \
     X(from, TRIANGLE, triangle)
 
 #endif

@@ -118,9 +118,10 @@ psc_result FN(psc_wavefront)(const struct psc_shape_row *shape, const char *kind
         FN(gather)(uv->component[0], uv->stride, first, n, u);
         FN(gather)(uv->component[1], uv->stride, first, n, v);
 
-        kernel->wave(&wave, u, v, &results);
+        if (kernel->wave)
+            kernel->wave(&wave, u, v, &results);
         for (i = 0; i < n; i++) {
-            if (results.status[i] == PSC_PENDING)
+            if (!kernel->wave || results.status[i] == PSC_PENDING)
                 FN(build_and_sample)(shape, receivers->flags, &wave, i, u[i], v[i], sampler,
                                      &results);
             if (results.status[i] == PSC_SUCCESS || results.status[i] == PSC_CULLED)

@@ -193,53 +193,91 @@ FIELD(psc_description, reserved, 20, uint32_t *);
       (psc_sampler *, const psc_technique *, const psc_receiver *, const double *, double)) \
     F(8, build_cap, int32_t, \
       (psc_sampler *, const psc_technique *, const psc_receiver *, const double *, double)) \
-    F(9, build_triangle, int32_t, \
+    F(9, build_disk, int32_t, \
+      (psc_sampler *, const psc_technique *, const psc_receiver *, const double *, \
+       const double *, double)) \
+    F(10, build_ellipse, int32_t, \
       (psc_sampler *, const psc_technique *, const psc_receiver *, const double *, \
        const double *, const double *)) \
-    F(10, sample_f64, int32_t, (const psc_sampler *, double, double, psc_light_sample_f64 *)) \
-    F(11, sample_f32, int32_t, (const psc_sampler *, float, float, psc_light_sample_f32 *)) \
-    F(12, pdf_f64, int32_t, (const psc_sampler *, const double *, double *)) \
-    F(13, pdf_f32, int32_t, (const psc_sampler *, const float *, float *)) \
-    F(14, invert_f64, int32_t, (const psc_sampler *, const double *, double *)) \
-    F(15, invert_f32, int32_t, (const psc_sampler *, const float *, float *)) \
-    F(16, sample_n_f64, int32_t, \
+    F(11, build_ellipsoid, int32_t, \
+      (psc_sampler *, const psc_technique *, const psc_receiver *, const double *, \
+       const double *, const double *, const double *)) \
+    F(12, build_triangle, int32_t, \
+      (psc_sampler *, const psc_technique *, const psc_receiver *, const double *, \
+       const double *, const double *)) \
+    F(13, sample_f64, int32_t, (const psc_sampler *, double, double, psc_light_sample_f64 *)) \
+    F(14, sample_f32, int32_t, (const psc_sampler *, float, float, psc_light_sample_f32 *)) \
+    F(15, pdf_f64, int32_t, (const psc_sampler *, const double *, double *)) \
+    F(16, pdf_f32, int32_t, (const psc_sampler *, const float *, float *)) \
+    F(17, invert_f64, int32_t, (const psc_sampler *, const double *, double *)) \
+    F(18, invert_f32, int32_t, (const psc_sampler *, const float *, float *)) \
+    F(19, sample_n_f64, int32_t, \
       (const psc_sampler *, size_t, const psc_input_f64 *, const psc_samples_f64 *)) \
-    F(17, sample_n_f32, int32_t, \
+    F(20, sample_n_f32, int32_t, \
       (const psc_sampler *, size_t, const psc_input_f32 *, const psc_samples_f32 *)) \
-    F(18, pdf_n_f64, int32_t, \
+    F(21, pdf_n_f64, int32_t, \
       (const psc_sampler *, size_t, const psc_input_f64 *, const psc_output_f64 *)) \
-    F(19, pdf_n_f32, int32_t, \
+    F(22, pdf_n_f32, int32_t, \
       (const psc_sampler *, size_t, const psc_input_f32 *, const psc_output_f32 *)) \
-    F(20, invert_n_f64, int32_t, \
+    F(23, invert_n_f64, int32_t, \
       (const psc_sampler *, size_t, const psc_input_f64 *, const psc_output_f64 *, \
        const psc_output_result *)) \
-    F(21, invert_n_f32, int32_t, \
+    F(24, invert_n_f32, int32_t, \
       (const psc_sampler *, size_t, const psc_input_f32 *, const psc_output_f32 *, \
        const psc_output_result *)) \
-    F(22, sphere_sample_n_f64, int32_t, \
+    F(25, sphere_sample_n_f64, int32_t, \
       (const psc_technique *, size_t, const psc_receivers_f64 *, const psc_input_f64 *, \
        const psc_input_f64 *, const psc_input_f64 *, const psc_samples_f64 *)) \
-    F(23, sphere_sample_n_f32, int32_t, \
+    F(26, sphere_sample_n_f32, int32_t, \
       (const psc_technique *, size_t, const psc_receivers_f32 *, const psc_input_f32 *, \
        const psc_input_f32 *, const psc_input_f32 *, const psc_samples_f32 *)) \
-    F(24, cap_sample_n_f64, int32_t, \
+    F(27, cap_sample_n_f64, int32_t, \
       (const psc_technique *, size_t, const psc_receivers_f64 *, const psc_input_f64 *, \
        const psc_input_f64 *, const psc_input_f64 *, const psc_samples_f64 *)) \
-    F(25, cap_sample_n_f32, int32_t, \
+    F(28, cap_sample_n_f32, int32_t, \
       (const psc_technique *, size_t, const psc_receivers_f32 *, const psc_input_f32 *, \
        const psc_input_f32 *, const psc_input_f32 *, const psc_samples_f32 *)) \
-    F(26, sampler_describe, int32_t, (const psc_sampler *, psc_description *)) \
-    F(27, sampler_total, int32_t, (const psc_sampler *, double *)) \
-    F(28, sampler_solid_angle, int32_t, (const psc_sampler *, double *)) \
-    F(29, sampler_projected_solid_angle, int32_t, (const psc_sampler *, double *)) \
-    F(30, sampler_form_factor, int32_t, (const psc_sampler *, double *)) \
-    F(31, sampler_area, int32_t, (const psc_sampler *, double *)) \
-    F(32, sphere_solid_angle, int32_t, (const double *, const double *, double, double *)) \
-    F(33, sphere_form_factor, int32_t, \
-      (const psc_receiver *, const double *, double, double *)) \
-    F(34, cap_solid_angle, int32_t, (double, double *)) \
-    F(35, cap_form_factor, int32_t, (const psc_receiver *, const double *, double, double *)) \
-    F(36, triangle_solid_angle, int32_t, \
+    F(29, disk_sample_n_f64, int32_t, \
+      (const psc_technique *, size_t, const psc_receivers_f64 *, const psc_input_f64 *, \
+       const psc_input_f64 *, const psc_input_f64 *, const psc_input_f64 *, \
+       const psc_samples_f64 *)) \
+    F(30, disk_sample_n_f32, int32_t, \
+      (const psc_technique *, size_t, const psc_receivers_f32 *, const psc_input_f32 *, \
+       const psc_input_f32 *, const psc_input_f32 *, const psc_input_f32 *, \
+       const psc_samples_f32 *)) \
+    F(31, ellipse_sample_n_f64, int32_t, \
+      (const psc_technique *, size_t, const psc_receivers_f64 *, const psc_input_f64 *, \
+       const psc_input_f64 *, const psc_input_f64 *, const psc_input_f64 *, \
+       const psc_samples_f64 *)) \
+    F(32, ellipse_sample_n_f32, int32_t, \
+      (const psc_technique *, size_t, const psc_receivers_f32 *, const psc_input_f32 *, \
+       const psc_input_f32 *, const psc_input_f32 *, const psc_input_f32 *, \
+       const psc_samples_f32 *)) \
+    F(33, ellipsoid_sample_n_f64, int32_t, \
+      (const psc_technique *, size_t, const psc_receivers_f64 *, const psc_input_f64 *, \
+       const psc_input_f64 *, const psc_input_f64 *, const psc_input_f64 *, \
+       const psc_input_f64 *, const psc_samples_f64 *)) \
+    F(34, ellipsoid_sample_n_f32, int32_t, \
+      (const psc_technique *, size_t, const psc_receivers_f32 *, const psc_input_f32 *, \
+       const psc_input_f32 *, const psc_input_f32 *, const psc_input_f32 *, \
+       const psc_input_f32 *, const psc_samples_f32 *)) \
+    F(35, sampler_describe, int32_t, (const psc_sampler *, psc_description *)) \
+    F(36, sampler_total, int32_t, (const psc_sampler *, double *)) \
+    F(37, sampler_solid_angle, int32_t, (const psc_sampler *, double *)) \
+    F(38, sampler_projected_solid_angle, int32_t, (const psc_sampler *, double *)) \
+    F(39, sampler_form_factor, int32_t, (const psc_sampler *, double *)) \
+    F(40, sampler_area, int32_t, (const psc_sampler *, double *)) \
+    F(41, sphere_solid_angle, int32_t, (const double *, const double *, double, double *)) \
+    F(42, sphere_form_factor, int32_t, (const psc_receiver *, const double *, double, double *)) \
+    F(43, cap_solid_angle, int32_t, (double, double *)) \
+    F(44, cap_form_factor, int32_t, (const psc_receiver *, const double *, double, double *)) \
+    F(45, disk_solid_angle, int32_t, \
+      (const double *, const double *, const double *, double, double *)) \
+    F(46, ellipse_solid_angle, int32_t, \
+      (const double *, const double *, const double *, const double *, double *)) \
+    F(47, ellipsoid_solid_angle, int32_t, \
+      (const double *, const double *, const double *, const double *, const double *, double *)) \
+    F(48, triangle_solid_angle, int32_t, \
       (const double *, const double *, const double *, const double *, double *))
 
 #define FUNCTION(place, name, result, parameters) \
@@ -247,7 +285,7 @@ FIELD(psc_description, reserved, 20, uint32_t *);
     FIELD(psc_api_1, name, (place) * W, result(**) parameters);
 
 FUNCTIONS(FUNCTION)
-SIZE(psc_api_1, 37 * W, W);
+SIZE(psc_api_1, 49 * W, W);
 _Static_assert(_Generic(&psc_get_api, int32_t (*)(uint32_t, void *, size_t) : 1, default : 0),
                "psc_get_api");
 

@@ -211,7 +211,9 @@ static void digest_questions(const struct shape *shape)
         receiver = light_receiver(&light);
         add_word(d, "result",
                  (uint64_t)shape->solid_angle(light.position, light.geometry, values));
-        add_word(d, "result", (uint64_t)shape->form_factor(&receiver, light.geometry, values + 1));
+        if (shape->form_factor)
+            add_word(d, "result",
+                     (uint64_t)shape->form_factor(&receiver, light.geometry, values + 1));
         add_numbers(d, "value", values, 2);
     }
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "csv.h"
 
+#include <ctype.h>
 #include <string.h>
 
 /* A whole line, without its end. */
@@ -41,6 +42,15 @@ int csv_read(struct csv *csv, int count)
         return result;
     for (i = 0; i < count; i++) {
         char *end;
+
+        if (i == 0 && isalpha((unsigned char)*at)) {
+            at += strcspn(at, ",");
+            csv->number[0] = 0.0;
+            csv->exact[0] = 0;
+            if (*at++ != ',')
+                return -1;
+            continue;
+        }
         csv->number[i] = strtod(at, &end);
         csv->exact[i] = quad_parse(at, &end);
         if (end == at || !isfinite(csv->number[i]) || *end != (i + 1 < count ? ',' : '\0'))

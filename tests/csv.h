@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
  * Rows of numbers with a line of column names above them. Every number is read twice: as the
- * nearest double, which is exact for inputs, and with all the digits that are there.
+ * nearest double, which is exact for inputs, and with all the digits that are there. A word in the
+ * first column says what a row is for and is read as 0.
  */
 #ifndef PSC_TESTS_CSV_H
 #define PSC_TESTS_CSV_H

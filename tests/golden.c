@@ -13,7 +13,7 @@
 #include "golden.h"
 #include "worst.h"
 
-static const struct golden_quantity *const families[] = {golden_caps, golden_polygons};
+static const struct golden_quantity *const families[] = {golden_caps, golden_disks, golden_polygons};
 
 static void quantity_of(const char *path, char *name, size_t size)
 {

@@ -23,6 +23,6 @@ struct golden_quantity {
 };
 
 /* Ends with a row without a name. */
-extern const struct golden_quantity golden_caps[], golden_polygons[];
+extern const struct golden_quantity golden_caps[], golden_disks[], golden_polygons[];
 
 #endif

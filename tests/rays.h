@@ -50,6 +50,21 @@ static inline void cone_direction(const struct cone *cone, int i, double w[3])
         w[k] = (1.0 - h) * cone->axis[k] + sine * (cos(v) * cone->x[k] + sin(v) * cone->y[k]);
 }
 
+/* Whether the light fills enough of the cone for a lattice to hold it: not one seen edge-on. */
+static inline int fills_cone(const struct light *light)
+{
+    struct cone cone;
+    double w[3];
+    int i, hits = 0;
+
+    make_cone(light, &cone);
+    for (i = 0; i < 2000; i++) {
+        cone_direction(&cone, i, w);
+        hits += light->shape->hit(light->geometry, light->position, w) >= 0.0;
+    }
+    return hits > 200;
+}
+
 /* The cosine that counts at the receiver: 0 below its horizon, 1 without a normal. */
 static inline double cosine_at(const struct light *light, const double w[3])
 {

@@ -13,7 +13,7 @@
 #include "calls.h"
 #include "random.h"
 
-#define TEST_SHAPES(X) X(sphere) X(cap)
+#define TEST_SHAPES(X) X(sphere) X(cap) X(disk) X(ellipse) X(ellipsoid)
 
 enum { GEOMETRY_MAX = 48, PARTS_MAX = 16 };
 
@@ -42,7 +42,7 @@ struct shape {
                            const psc_input_f64 *uv, const psc_samples_f64 *out);
     psc_result (*solid_angle)(const double position[3], const double *geometry, double *value);
     psc_result (*form_factor)(const psc_receiver *receiver, const double *geometry,
-                              double *value);
+                              double *value); /* NULL if it is not offered */
 
     /* A light about the origin, which is in the middle of it, and within a distance of 1. Flat
        ones lie in the plane z = 0 with normal (0,0,1); the middle of distant ones is (0,0,1).

@@ -137,7 +137,7 @@ static void directions(const struct shape *shape, const struct test_technique *w
         do
             place_light(&seed, shape, what, far ? PLACE_FAR : PLACE_ORDINARY,
                         i % 2 ? HORIZON_ABOVE : HORIZON_CUT, facing, &light);
-        while (build_light(make_sampler(&s), &light) != PSC_SUCCESS);
+        while (build_light(make_sampler(&s), &light) != PSC_SUCCESS || !fills_cone(&light));
         test(i % 2 ? 32 : 64, i, &light, s.sampler);
     }
 }

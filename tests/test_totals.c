@@ -11,7 +11,11 @@
 
 enum { LIGHTS = 24, N = 144, RAYS = 100000 };
 
-static const double bound = 1e-3;
+/* The lattices miss more of an outline that is not the cone's. */
+static double bound(const struct shape *shape)
+{
+    return is_distant(shape) || shape == &shape_sphere ? 1e-3 : 2.5e-3;
+}
 
 /* Whether the direction of the sample is one that no other has: the far side of a closed light
    shares its directions with the near one. */
@@ -87,7 +91,9 @@ static psc_result make_light(uint64_t *seed, const struct shape *shape,
     const int facing = i % FACINGS == FACING_NONE && !is_offered(what, FACING_NONE) ? FACING_ONE
                                                                                     : i % FACINGS;
 
-    place_light(seed, shape, what, place, i % 2 ? HORIZON_CUT : HORIZON_ABOVE, facing, light);
+    do
+        place_light(seed, shape, what, place, i % 2 ? HORIZON_CUT : HORIZON_ABOVE, facing, light);
+    while (!fills_cone(light));
     return build_light(sampler, light);
 }
 
@@ -126,8 +132,9 @@ static void samples(const struct shape *shape, const struct test_technique *what
                       describe_light(&light));
     }
     if (whole)
-        worst_report(&solid, bound, "%s, %s: mean of 1 / pdf", shape->name, what->name);
-    worst_report(&projected, bound, "%s, %s: mean weight", shape->name, what->name);
+        worst_report(&solid, bound(shape), "%s, %s: mean of 1 / pdf", shape->name, what->name);
+    if (shape->form_factor)
+        worst_report(&projected, bound(shape), "%s, %s: mean weight", shape->name, what->name);
 }
 
 static void rays(const struct shape *shape)
@@ -151,8 +158,9 @@ static void rays(const struct shape *shape)
             worst_add(&projected, apart(found.projected, answers.projected, answers.solid), "%s",
                       describe_light(&light));
     }
-    worst_report(&solid, bound, "%s: solid angle by rays", shape->name);
-    worst_report(&projected, bound, "%s: projected solid angle by rays", shape->name);
+    worst_report(&solid, bound(shape), "%s: solid angle by rays", shape->name);
+    if (shape->form_factor)
+        worst_report(&projected, bound(shape), "%s: projected solid angle by rays", shape->name);
 }
 
 int main(void)

@@ -35,6 +35,8 @@
  *
  * Sources, cited below by their short names:
  *   [UG18]  C. Ureña, I. Georgiev: Stratified Sampling of Projected Spherical Caps. EGSR 2018.
+ *   [GUK17] I. Guillén, C. Ureña, A. King, M. Fajardo, I. Georgiev, J. López-Moreno, A. Jarabo:
+ *           Area-Preserving Parameterizations for Spherical Ellipses. EGSR 2017.
  *   [Wan92] C. Wang: Physically correct direct lighting for distribution ray tracing.
  *           Graphics Gems III, 1992.
  *   [SC97]  P. Shirley, K. Chiu: A low distortion map between disk and square. JGT 2(3), 1997.
@@ -127,8 +129,8 @@ enum {
         horizon: pdf = cosine / projected solid angle, so that one sample gives unoccluded
         diffuse light exactly. Needs a receiver with a normal. [UG18] */
     PSC_MEASURE_PROJECTED_SOLID_ANGLE = 1,
-    /** Uniform in area over the whole surface of the light; samples on the far side come with
-        PSC_CULLED. */
+    /** Uniform in area over the whole surface of the light, one face of a flat one; samples on
+        the far side come with PSC_CULLED. */
     PSC_MEASURE_AREA = 2,
     /** Uniform in area over the part of the surface that faces the receiver. The density of
         directions is infinite at the limb, where the weight is 0. From a point on the surface
@@ -140,11 +142,13 @@ enum {
 typedef uint32_t psc_map;
 
 enum {
-    /** Of a sphere or cap: u moves outwards from the centre (from the inner edge of a lune), v
-        around it. For projected solid angle: section 4.2 and listing 1 of [UG18]. Of a triangle:
-        around a vertex, see psc_build_triangle(). */
+    /** Polar. Spheres and caps: u moves outwards from the centre (from the inner edge of a
+        lune), v around it; for projected solid angle section 4.2 and listing 1 of [UG18]. Disks
+        and ellipsoids: u around the centre, v from the outline (0) to it (1), section 3.2 of
+        [GUK17]. Triangles: around a vertex, see psc_build_triangle(). */
     PSC_MAP_RADIAL = 0,
-    /** v selects one of a family of parallel chords, u moves along it. Section 4.1 of [UG18]. */
+    /** Parallel chords. Spheres and caps: v selects one, u moves along it, section 4.1 of [UG18].
+        Disks and ellipsoids: u selects one, v moves along it, section 3.1 of [GUK17]. */
     PSC_MAP_PARALLEL = 1,
     /** Low distortion: the square is first laid over a disk by [SC97], so that neighbouring
         points stay neighbours all round. */
@@ -159,6 +163,12 @@ enum {
  *     radial               x                  x                  x          x
  *     parallel                                x
  *     concentric           x                  x                  x          x
+ *
+ *                     disk, ellipse, ellipsoid     disk, ellipse
+ *                            solid angle               area
+ *     radial                      x                      x
+ *     parallel                    x                      x
+ *     concentric                  x                      x
  *
  *                                triangle
  *                      solid angle   projected solid angle      area
@@ -285,6 +295,52 @@ PSC_API psc_result psc_build_cap(psc_sampler *sampler, const psc_technique *tech
                                  double half_angle);
 
 /**
+ * Builds the sampler of a circular disk. Both of its faces shine unless the technique is one-sided.
+ *
+ * Solid angle follows [GUK17], exactly and without tables: u = e1, v = e2 there, in the frame of
+ * the spherical ellipse (x along its long semi-arc). The radial map has e2 = 0 on the outline as in
+ * equation 22, the concentric one 1 - e2 = r^2. Area has the same three maps on the disk itself,
+ * along the axes of psc_light_sample_f64.surface: s is along (-nz, 0, nx) if |nx| > |ny|, else
+ * along (0, nz, -ny), and t along n x s.
+ * @param normal  any length but 0; the samples' normal
+ * @param radius  finite; 0 is PSC_EMPTY
+ * @return as psc_build_sphere(), with _ZERO_VECTOR also for the disk's normal; PSC_EMPTY also for a
+ *         receiver in the plane of the disk, and behind a one-sided one
+ * @since 0.1
+ */
+PSC_API psc_result psc_build_disk(psc_sampler *sampler, const psc_technique *technique,
+                                  const psc_receiver *receiver, const double center[3],
+                                  const double normal[3], double radius);
+
+/**
+ * Builds the sampler of an elliptical disk: the points center + s axis_u + t axis_v with
+ * s^2 + t^2 <= 1. Its normal is along axis_u x axis_v.
+ * @param axis_u,axis_v  conjugate semi-axes, finite; they need not be perpendicular. In one line:
+ *                       PSC_EMPTY
+ * @return as psc_build_disk(), but never _NEGATIVE_SIZE
+ * @since 0.1
+ */
+PSC_API psc_result psc_build_ellipse(psc_sampler *sampler, const psc_technique *technique,
+                                     const psc_receiver *receiver, const double center[3],
+                                     const double axis_u[3], const double axis_v[3]);
+
+/**
+ * Builds the sampler of an ellipsoid: the points center + r axis_u + s axis_v + t axis_w with
+ * r^2 + s^2 + t^2 <= 1. Its outline is that of an elliptical disk, which is what is sampled.
+ *
+ * From inside, the light is all around and solid angle samples the whole sphere of directions, in
+ * a frame along the coordinate axes. From a point on the surface it fills a half space.
+ * @param axis_u,axis_v,axis_w  conjugate semi-axes, finite; they need not be perpendicular. In one
+ *                              plane: PSC_EMPTY
+ * @return as psc_build_ellipse(), and PSC_EMPTY inside a one-sided ellipsoid
+ * @since 0.1
+ */
+PSC_API psc_result psc_build_ellipsoid(psc_sampler *sampler, const psc_technique *technique,
+                                       const psc_receiver *receiver, const double center[3],
+                                       const double axis_u[3], const double axis_v[3],
+                                       const double axis_w[3]);
+
+/**
  * Builds the sampler of a triangular light.
  *
  * Solid angle: Arvo's map [Arv95] with his names, A = v0, B = v1, C = v2. u is the fraction of
@@ -315,8 +371,9 @@ typedef struct psc_light_sample_f64 {
     double normal[3];    /**< unit outward normal of the light at the point */
     double weight;       /**< cosine / pdf, or 1 / pdf for a receiver without normal; finite
                               and right where both cosine and pdf vanish; 0 when culled */
-    double surface[2];   /**< texture coordinates of shapes that have their own; spheres and
-                              caps have none and write 0 */
+    double surface[2];   /**< texture coordinates of shapes that have their own: disks and
+                              ellipses (s, t) in [-1,1] along their axes; spheres, caps and
+                              ellipsoids have none and write 0 */
 } psc_light_sample_f64;
 
 /** The same in single precision. */
@@ -540,6 +597,54 @@ PSC_API psc_result psc_cap_sample_n_f32(const psc_technique *technique, size_t c
                                         const psc_input_f32 *half_angle, const psc_input_f32 *uv,
                                         const psc_samples_f32 *out);
 
+/** psc_build_disk() and psc_sample_f64() for each element; see psc_sphere_sample_n_f64().
+    @since 0.1 */
+PSC_API psc_result psc_disk_sample_n_f64(const psc_technique *technique, size_t count,
+                                         const psc_receivers_f64 *receivers,
+                                         const psc_input_f64 *center, const psc_input_f64 *normal,
+                                         const psc_input_f64 *radius, const psc_input_f64 *uv,
+                                         const psc_samples_f64 *out);
+/** The same in single precision. @since 0.1 */
+PSC_API psc_result psc_disk_sample_n_f32(const psc_technique *technique, size_t count,
+                                         const psc_receivers_f32 *receivers,
+                                         const psc_input_f32 *center, const psc_input_f32 *normal,
+                                         const psc_input_f32 *radius, const psc_input_f32 *uv,
+                                         const psc_samples_f32 *out);
+
+/** psc_build_ellipse() and psc_sample_f64() for each element; see psc_sphere_sample_n_f64().
+    @since 0.1 */
+PSC_API psc_result psc_ellipse_sample_n_f64(const psc_technique *technique, size_t count,
+                                            const psc_receivers_f64 *receivers,
+                                            const psc_input_f64 *center,
+                                            const psc_input_f64 *axis_u,
+                                            const psc_input_f64 *axis_v, const psc_input_f64 *uv,
+                                            const psc_samples_f64 *out);
+/** The same in single precision. @since 0.1 */
+PSC_API psc_result psc_ellipse_sample_n_f32(const psc_technique *technique, size_t count,
+                                            const psc_receivers_f32 *receivers,
+                                            const psc_input_f32 *center,
+                                            const psc_input_f32 *axis_u,
+                                            const psc_input_f32 *axis_v, const psc_input_f32 *uv,
+                                            const psc_samples_f32 *out);
+
+/** psc_build_ellipsoid() and psc_sample_f64() for each element; see psc_sphere_sample_n_f64().
+    @since 0.1 */
+PSC_API psc_result psc_ellipsoid_sample_n_f64(const psc_technique *technique, size_t count,
+                                              const psc_receivers_f64 *receivers,
+                                              const psc_input_f64 *center,
+                                              const psc_input_f64 *axis_u,
+                                              const psc_input_f64 *axis_v,
+                                              const psc_input_f64 *axis_w, const psc_input_f64 *uv,
+                                              const psc_samples_f64 *out);
+/** The same in single precision. @since 0.1 */
+PSC_API psc_result psc_ellipsoid_sample_n_f32(const psc_technique *technique, size_t count,
+                                              const psc_receivers_f32 *receivers,
+                                              const psc_input_f32 *center,
+                                              const psc_input_f32 *axis_u,
+                                              const psc_input_f32 *axis_v,
+                                              const psc_input_f32 *axis_w, const psc_input_f32 *uv,
+                                              const psc_samples_f32 *out);
+
 /* ---- Questions ------------------------------------------------------------------------------ */
 
 /** The shape a sampler was built for. */
@@ -604,7 +709,7 @@ PSC_API psc_result psc_sampler_solid_angle(const psc_sampler *sampler, double *s
 /** Integral of the cosine over the light above the horizon (over all of it, with |cosine|, for
     a two-sided receiver): 0 to pi (2 pi) steradians. [UG18, equations 27 to 29]
     @return as psc_sampler_total(), or PSC_ERROR_NEEDS_NORMAL, PSC_ERROR_HALF_ANGLE (a cap beyond
-    a right angle) @since 0.1 */
+    a right angle), PSC_ERROR_UNSUPPORTED_TECHNIQUE (disks, ellipses, ellipsoids) @since 0.1 */
 PSC_API psc_result psc_sampler_projected_solid_angle(const psc_sampler *sampler,
                                                      double *projected_solid_angle);
 
@@ -615,7 +720,7 @@ PSC_API psc_result psc_sampler_form_factor(const psc_sampler *sampler, double *f
 
 /** Surface area of the whole light in squared lengths.
     @return as psc_sampler_total(), or PSC_ERROR_UNSUPPORTED_TECHNIQUE for a distant light, which
-    has none @since 0.1 */
+    has none, and for an ellipsoid @since 0.1 */
 PSC_API psc_result psc_sampler_area(const psc_sampler *sampler, double *area);
 
 /**
@@ -644,6 +749,28 @@ PSC_API psc_result psc_cap_form_factor(const psc_receiver *receiver, const doubl
                                        double half_angle, double *form_factor);
 
 /**
+ * Solid angle of a disk, of both its faces, without a sampler, in steradians.
+ * @return PSC_SUCCESS; PSC_EMPTY (radius 0, or the receiver in its plane; 0 is written);
+ *         PSC_ERROR_NULL_POINTER, _NOT_FINITE, _ZERO_VECTOR or _NEGATIVE_SIZE
+ * @since 0.1
+ */
+PSC_API psc_result psc_disk_solid_angle(const double position[3], const double center[3],
+                                        const double normal[3], double radius,
+                                        double *solid_angle);
+
+/** Solid angle of an elliptical disk without a sampler.
+    @return as psc_disk_solid_angle() @since 0.1 */
+PSC_API psc_result psc_ellipse_solid_angle(const double position[3], const double center[3],
+                                           const double axis_u[3], const double axis_v[3],
+                                           double *solid_angle);
+
+/** Solid angle of an ellipsoid without a sampler: 4 pi from inside, 2 pi on the surface.
+    @return as psc_disk_solid_angle() @since 0.1 */
+PSC_API psc_result psc_ellipsoid_solid_angle(const double position[3], const double center[3],
+                                             const double axis_u[3], const double axis_v[3],
+                                             const double axis_w[3], double *solid_angle);
+
+/**
  * Solid angle of a triangle without a sampler, in steradians: up to 2 pi close to it, to 1e-15 of
  * itself however small it is. Both sides count. [OS83]
  * @param position  of the receiver, 3 finite numbers
@@ -670,6 +797,12 @@ typedef struct psc_api_1 {
                                const double *, double);
     psc_result (*build_cap)(psc_sampler *, const psc_technique *, const psc_receiver *,
                             const double *, double);
+    psc_result (*build_disk)(psc_sampler *, const psc_technique *, const psc_receiver *,
+                             const double *, const double *, double);
+    psc_result (*build_ellipse)(psc_sampler *, const psc_technique *, const psc_receiver *,
+                                const double *, const double *, const double *);
+    psc_result (*build_ellipsoid)(psc_sampler *, const psc_technique *, const psc_receiver *,
+                                  const double *, const double *, const double *, const double *);
     psc_result (*build_triangle)(psc_sampler *, const psc_technique *, const psc_receiver *,
                                  const double *, const double *, const double *);
     psc_result (*sample_f64)(const psc_sampler *, double, double, psc_light_sample_f64 *);
@@ -702,6 +835,30 @@ typedef struct psc_api_1 {
     psc_result (*cap_sample_n_f32)(const psc_technique *, size_t, const psc_receivers_f32 *,
                                    const psc_input_f32 *, const psc_input_f32 *,
                                    const psc_input_f32 *, const psc_samples_f32 *);
+    psc_result (*disk_sample_n_f64)(const psc_technique *, size_t, const psc_receivers_f64 *,
+                                    const psc_input_f64 *, const psc_input_f64 *,
+                                    const psc_input_f64 *, const psc_input_f64 *,
+                                    const psc_samples_f64 *);
+    psc_result (*disk_sample_n_f32)(const psc_technique *, size_t, const psc_receivers_f32 *,
+                                    const psc_input_f32 *, const psc_input_f32 *,
+                                    const psc_input_f32 *, const psc_input_f32 *,
+                                    const psc_samples_f32 *);
+    psc_result (*ellipse_sample_n_f64)(const psc_technique *, size_t, const psc_receivers_f64 *,
+                                       const psc_input_f64 *, const psc_input_f64 *,
+                                       const psc_input_f64 *, const psc_input_f64 *,
+                                       const psc_samples_f64 *);
+    psc_result (*ellipse_sample_n_f32)(const psc_technique *, size_t, const psc_receivers_f32 *,
+                                       const psc_input_f32 *, const psc_input_f32 *,
+                                       const psc_input_f32 *, const psc_input_f32 *,
+                                       const psc_samples_f32 *);
+    psc_result (*ellipsoid_sample_n_f64)(const psc_technique *, size_t, const psc_receivers_f64 *,
+                                         const psc_input_f64 *, const psc_input_f64 *,
+                                         const psc_input_f64 *, const psc_input_f64 *,
+                                         const psc_input_f64 *, const psc_samples_f64 *);
+    psc_result (*ellipsoid_sample_n_f32)(const psc_technique *, size_t, const psc_receivers_f32 *,
+                                         const psc_input_f32 *, const psc_input_f32 *,
+                                         const psc_input_f32 *, const psc_input_f32 *,
+                                         const psc_input_f32 *, const psc_samples_f32 *);
     psc_result (*sampler_describe)(const psc_sampler *, psc_description *);
     psc_result (*sampler_total)(const psc_sampler *, double *);
     psc_result (*sampler_solid_angle)(const psc_sampler *, double *);
@@ -712,6 +869,12 @@ typedef struct psc_api_1 {
     psc_result (*sphere_form_factor)(const psc_receiver *, const double *, double, double *);
     psc_result (*cap_solid_angle)(double, double *);
     psc_result (*cap_form_factor)(const psc_receiver *, const double *, double, double *);
+    psc_result (*disk_solid_angle)(const double *, const double *, const double *, double,
+                                   double *);
+    psc_result (*ellipse_solid_angle)(const double *, const double *, const double *,
+                                      const double *, double *);
+    psc_result (*ellipsoid_solid_angle)(const double *, const double *, const double *,
+                                        const double *, const double *, double *);
     psc_result (*triangle_solid_angle)(const double *, const double *, const double *,
                                        const double *, double *);
 } psc_api_1;

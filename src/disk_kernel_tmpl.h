@@ -1,0 +1,288 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Sampling of one build of a light that is seen as an elliptic cone, one sample at a time or in
+ * blocks that vectorise. Template: see precision.h.
+ */
+#include "disk_world_tmpl.h"
+
+#if PSC_REAL_BITS == 64
+#define DISK_RULES PSC_RULES_F64
+#define DISK_RULE(d) ((d)->rule_f64)
+#define DISK_FIT(d) ((d)->fit_f64)
+#define AREA_FITS(d) 1
+#define DISK_TERMS PSC_MOST_TERMS_F64
+#define DISK_RULE_TABLE(m) psc_rule_f64_##m
+#else
+#define DISK_RULES PSC_RULES_F32
+#define DISK_RULE(d) ((d)->rule_f32)
+#define DISK_FIT(d) ((d)->fit_f32)
+#define DISK_TERMS PSC_MOST_TERMS_F32
+#define DISK_RULE_TABLE(m) psc_rule_f32_##m
+/* Squares of distances in units of the light's size must be numbers. */
+#define AREA_FITS(d) ((d)->seen.ca > 1e-12)
+#endif
+
+static void FN(solved_point)(const psc_sampler *s, real u, real v, struct FN(psc_disk_point) *p)
+{
+    struct psc_disk_point_f64 wide;
+
+    solve_point(s, (double)u, (double)v, &wide);
+    p->x = (real)wide.x;
+    p->y = (real)wide.y;
+    p->z = (real)wide.z;
+    p->c = (real)wide.c;
+    p->s = (real)wide.s;
+    p->rest = (real)wide.rest;
+}
+
+/* ---- One sample ---- */
+
+static void FN(disk_point)(const psc_sampler *s, const struct FN(psc_disk_world) *w, real u, real v,
+                           struct FN(psc_disk_point) *p)
+{
+    const struct psc_disk_light *d = &s->disk;
+
+    switch (d->map) {
+    case PSC_DISK_AREA_RADIAL:
+    case PSC_DISK_AREA_CONCENTRIC:
+    case PSC_DISK_AREA_PARALLEL:
+        if (AREA_FITS(d)) {
+            FN(area_lane)(d->map, w, u, v, p);
+            return;
+        }
+        break;
+    case PSC_DISK_RADIAL:
+    case PSC_DISK_CONCENTRIC:
+        switch (DISK_RULE(d)) {
+#define DISK_CASE(i, m, steps, least)                                                             \
+    case i:                                                                                       \
+        FN(fitted_point)(m, 1, DISK_FIT(d), d->map == PSC_DISK_CONCENTRIC, w->a, w->b, u, v, p); \
+        return;
+            DISK_RULES(DISK_CASE)
+#undef DISK_CASE
+        default: break;
+        }
+        break;
+    default: break;
+    }
+    FN(solved_point)(s, u, v, p);
+}
+
+static psc_result FN(disk_sample)(const psc_sampler *s, real u, real v, FN(psc_light_sample) *out)
+{
+    struct FN(psc_disk_world) w;
+    struct FN(psc_disk_point) p;
+    real cosine;
+
+    if (s->sides == 0)
+        return PSC_EMPTY;
+    FN(disk_world)(s, &w);
+    FN(disk_point)(s, &w, u, v, &p);
+    FN(disk_direction)(&w, &p, out->direction);
+    cosine = FN(disk_cosine)(w.facing, &w, out->direction);
+    FN(disk_density)(s->measure == PSC_MEASURE_AREA, &w, p.rest, cosine, &out->pdf, &out->weight);
+    FN(disk_hit)(&w, &p, out->direction, out->point, out->normal, &out->distance, out->surface);
+    return out->weight > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
+}
+
+/* ---- Blocks ---- */
+
+struct FN(psc_disk_points) {
+    real x[PSC_BLOCK], y[PSC_BLOCK], z[PSC_BLOCK], c[PSC_BLOCK], s[PSC_BLOCK], rest[PSC_BLOCK];
+};
+
+PSC_LANE void FN(store_point)(struct FN(psc_disk_points) *to, size_t i,
+                              const struct FN(psc_disk_point) *p)
+{
+    to->x[i] = p->x;
+    to->y[i] = p->y;
+    to->z[i] = p->z;
+    to->c[i] = p->c;
+    to->s[i] = p->s;
+    to->rest[i] = p->rest;
+}
+
+PSC_LANE struct FN(psc_disk_point) FN(load_point)(const struct FN(psc_disk_points) *from, size_t i)
+{
+    const struct FN(psc_disk_point) p = {from->x[i], from->y[i], from->z[i],
+                                         from->c[i], from->s[i], from->rest[i]};
+
+    return p;
+}
+
+#define FITTED_BLOCK(name, m, concentric)                                                          \
+    static void FN(name)(const psc_sampler *s, size_t n, const real *restrict u,                   \
+                         const real *restrict v, struct FN(psc_disk_points) *restrict to)          \
+    {                                                                                              \
+        const real a = (real)s->disk.seen.a, b = (real)s->disk.seen.b;                             \
+        real fit[3 * (m)];                                                                         \
+        size_t i;                                                                                  \
+                                                                                                   \
+        memcpy(fit, DISK_FIT(&s->disk), sizeof fit);                                               \
+        for (i = 0; i < n; i++) {                                                                  \
+            struct FN(psc_disk_point) p;                                                           \
+                                                                                                   \
+            FN(fitted_point)(m, 1, fit, concentric, a, b, u[i], v[i], &p);                         \
+            FN(store_point)(to, i, &p);                                                            \
+        }                                                                                          \
+    }
+#define FITTED_BLOCKS(i, m, steps, least)     \
+    FITTED_BLOCK(radial_block_##m, m, 0)      \
+    FITTED_BLOCK(concentric_block_##m, m, 1)
+DISK_RULES(FITTED_BLOCKS)
+#undef FITTED_BLOCKS
+#undef FITTED_BLOCK
+
+#define AREA_BLOCK(name, map)                                                                      \
+    static void FN(name)(const psc_sampler *s, size_t n, const real *restrict u,                   \
+                         const real *restrict v, struct FN(psc_disk_points) *restrict to)          \
+    {                                                                                              \
+        struct FN(psc_disk_world) w;                                                               \
+        size_t i;                                                                                  \
+                                                                                                   \
+        FN(disk_world)(s, &w);                                                                     \
+        for (i = 0; i < n; i++) {                                                                  \
+            struct FN(psc_disk_point) p;                                                           \
+                                                                                                   \
+            FN(area_lane)(map, &w, u[i], v[i], &p);                                                \
+            FN(store_point)(to, i, &p);                                                            \
+        }                                                                                          \
+    }
+AREA_BLOCK(area_radial_block, PSC_DISK_AREA_RADIAL)
+AREA_BLOCK(area_concentric_block, PSC_DISK_AREA_CONCENTRIC)
+AREA_BLOCK(area_parallel_block, PSC_DISK_AREA_PARALLEL)
+#undef AREA_BLOCK
+
+static void FN(solved_block)(const psc_sampler *s, size_t n, const real *u, const real *v,
+                             struct FN(psc_disk_points) *to)
+{
+    size_t i;
+
+    for (i = 0; i < n; i++) {
+        struct FN(psc_disk_point) p;
+
+        FN(solved_point)(s, u[i], v[i], &p);
+        FN(store_point)(to, i, &p);
+    }
+}
+
+typedef void (*FN(disk_block))(const psc_sampler *, size_t, const real *, const real *,
+                               struct FN(psc_disk_points) *);
+
+static FN(disk_block) FN(block_of)(const struct psc_disk_light *d)
+{
+#define DISK_ROW(i, m, steps, least) {FN(radial_block_##m), FN(concentric_block_##m)},
+    static const FN(disk_block) fitted[][2] = {DISK_RULES(DISK_ROW)};
+#undef DISK_ROW
+    static const FN(disk_block) area[] = {FN(area_radial_block), FN(area_concentric_block),
+                                          FN(area_parallel_block)};
+
+    if (d->map >= PSC_DISK_AREA_RADIAL && d->map <= PSC_DISK_AREA_PARALLEL && AREA_FITS(d))
+        return area[d->map - PSC_DISK_AREA_RADIAL];
+    return d->map <= PSC_DISK_CONCENTRIC && DISK_RULE(d) >= 0 ? fitted[DISK_RULE(d)][d->map]
+                                                               : FN(solved_block);
+}
+
+/* Densities of a block with the constants of one loop. */
+PSC_LANE void FN(disk_densities)(int area, enum psc_facing facing,
+                                 const struct FN(psc_disk_world) *w, size_t n,
+                                 const struct FN(psc_disk_points) *restrict points,
+                                 struct FN(psc_results) *restrict r)
+{
+    const struct FN(psc_disk_world) own = *w;
+    real *pdf = r->value[PSC_PDF], *weight = r->value[PSC_WEIGHT];
+    size_t i;
+
+    for (i = 0; i < n; i++) {
+        const real direction[3] = {r->value[0][i], r->value[1][i], r->value[2][i]};
+        const real cosine = FN(disk_cosine)(facing, &own, direction);
+
+        FN(disk_density)(area, &own, points->rest[i], cosine, &pdf[i], &weight[i]);
+    }
+    for (i = 0; i < n; i++)
+        r->status[i] = weight[i] > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
+}
+
+static void FN(disk_density_block)(const struct FN(psc_disk_world) *w, int area, size_t n,
+                                   const struct FN(psc_disk_points) *points,
+                                   struct FN(psc_results) *r)
+{
+#define DENSITIES(area, facing) FN(disk_densities)(area, facing, w, n, points, r)
+    switch (w->facing) {
+    case PSC_FACING_NONE:
+        if (area)
+            DENSITIES(1, PSC_FACING_NONE);
+        else
+            DENSITIES(0, PSC_FACING_NONE);
+        break;
+    case PSC_FACING_ONE:
+        if (area)
+            DENSITIES(1, PSC_FACING_ONE);
+        else
+            DENSITIES(0, PSC_FACING_ONE);
+        break;
+    default:
+        if (area)
+            DENSITIES(1, PSC_FACING_BOTH);
+        else
+            DENSITIES(0, PSC_FACING_BOTH);
+        break;
+    }
+#undef DENSITIES
+}
+
+static void FN(disk_direction_block)(const struct FN(psc_disk_world) *w, size_t n,
+                                     const struct FN(psc_disk_points) *restrict points,
+                                     struct FN(psc_results) *restrict r)
+{
+    const struct FN(psc_disk_world) own = *w;
+    size_t i;
+
+    for (i = 0; i < n; i++) {
+        const struct FN(psc_disk_point) p = FN(load_point)(points, i);
+        real direction[3];
+
+        FN(disk_direction)(&own, &p, direction);
+        r->value[0][i] = direction[0];
+        r->value[1][i] = direction[1];
+        r->value[2][i] = direction[2];
+    }
+}
+
+static void FN(disk_surfaces)(const struct FN(psc_disk_world) *w, size_t n,
+                              const struct FN(psc_disk_points) *restrict points,
+                              struct FN(psc_results) *restrict r)
+{
+    const struct FN(psc_disk_world) own = *w;
+    size_t i;
+
+    for (i = 0; i < n; i++) {
+        const struct FN(psc_disk_point) p = FN(load_point)(points, i);
+        const real direction[3] = {r->value[0][i], r->value[1][i], r->value[2][i]};
+        real point[3], normal[3], distance, surface[2];
+
+        FN(disk_hit)(&own, &p, direction, point, normal, &distance, surface);
+        FN(store_surface)(r, i, point, normal, distance, surface[0], surface[1]);
+    }
+}
+
+static void FN(disk_side_block)(const psc_sampler *s, int k, size_t n, const real *u, const real *v,
+                                int surface, struct FN(psc_results) *r)
+{
+    struct FN(psc_disk_points) points;
+    struct FN(psc_disk_world) w;
+
+    (void)k;
+    FN(block_of)(&s->disk)(s, n, u, v, &points);
+    FN(disk_world)(s, &w);
+    FN(disk_direction_block)(&w, n, &points, r);
+    FN(disk_density_block)(&w, s->measure == PSC_MEASURE_AREA, n, &points, r);
+    if (surface)
+        FN(disk_surfaces)(&w, n, &points, r);
+}
+
+static void FN(disk_sample_n)(const psc_sampler *s, size_t count, const FN(psc_input) *uv,
+                              const FN(psc_samples) *out)
+{
+    FN(sample_sides)(s, count, uv, out, FN(disk_side_block));
+}

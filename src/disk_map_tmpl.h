@@ -1,0 +1,241 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Maps of an elliptic cone, and of the light behind it by its area, in the frame of the cone: lane
+ * functions. The unit square is that of [GUK17]: u goes once around, or from chord to chord; v is
+ * 0 on the outline and 1 in the middle, or goes along the chord. Template: see precision.h.
+ */
+
+/*
+ * A sampled direction (x, y, 1 + z), accurate relative to the semi-arcs. Radial and concentric:
+ * c, s the cosine and sine of eta, rest = v. Parallel: of tau, and rest = 4 v (1 - v), see
+ * chord_point(). Area maps: c, s are the point (q_x, q_y) of the light, see ellipse_view.h, and
+ * rest its distance in units of area_reach.
+ */
+struct FN(psc_disk_point) {
+    real x, y, z, c, s, rest;
+};
+
+/* The constants of a light in the precision of the kernel. */
+struct FN(psc_disk_world) {
+    real a, ca, b, cb, per_at, per_bt;
+    real x[3], y[3], z[3], axis[3];
+    real near, far, turn[2], side[2][2], reach;
+    real center[3], across[2][3], normal[3];
+    real receiver[3]; /* its normal */
+    real total, inverse_total;
+    real flat_b, area_scale, area_reach;
+    real far_off, beyond, solid_axis[3][3], inverse[3][3], unit, offset[3];
+    enum psc_facing facing;
+    enum psc_disk_map map;
+    int solid;
+};
+
+PSC_LANE void FN(disk_world)(const psc_sampler *s, struct FN(psc_disk_world) *w)
+{
+    const struct psc_disk_light *d = &s->disk;
+    const struct psc_ellipse *e = &d->seen;
+    int i, k;
+
+    w->a = (real)e->a;
+    w->ca = (real)e->ca;
+    w->b = (real)e->b;
+    w->cb = (real)e->cb;
+    w->per_at = (real)(e->ca / e->a);
+    w->per_bt = (real)(e->cb / e->b);
+    w->near = (real)d->near;
+    w->far = (real)d->far;
+    w->reach = (real)d->reach;
+    w->total = (real)s->total;
+    w->inverse_total = (real)s->inverse_total;
+    w->flat_b = (real)(e->ca * e->b / e->cb);
+    w->area_scale = (real)(PSC_PI * e->a * e->b * e->ca / e->cb * e->ca);
+    w->area_reach = (real)(d->reach / e->ca);
+    w->far_off = (real)d->far_off;
+    w->beyond = (real)d->beyond;
+    w->unit = (real)d->unit;
+    w->facing = s->facing;
+    w->map = d->map;
+    w->solid = d->solid;
+    for (k = 0; k < 2; k++) {
+        w->turn[k] = (real)d->turn[k];
+        for (i = 0; i < 2; i++)
+            w->side[k][i] = (real)d->side[k][i];
+        for (i = 0; i < 3; i++)
+            w->across[k][i] = (real)d->across[k][i];
+    }
+    for (i = 0; i < 3; i++) {
+        w->x[i] = (real)e->x[i];
+        w->y[i] = (real)e->y[i];
+        w->z[i] = (real)e->z[i];
+        w->axis[i] = (real)d->axis[i];
+        w->center[i] = (real)d->center[i];
+        w->normal[i] = (real)d->normal[i];
+        w->receiver[i] = (real)d->receiver[i];
+        w->offset[i] = (real)d->offset[i];
+        for (k = 0; k < 3; k++) {
+            w->solid_axis[k][i] = (real)d->solid_axis[k][i];
+            w->inverse[k][i] = (real)d->inverse[k][i];
+        }
+    }
+}
+
+/* Cosine and sine of 2 pi u. */
+PSC_LANE void FN(full_turn)(real u, real *cosine, real *sine)
+{
+    real versine;
+
+    FN(turn)(u, sine, cosine, &versine);
+    *cosine = -*cosine;
+    *sine = -*sine;
+}
+
+/* The direction towards eta with the cosine c and the sine s, inside by `inner`, of which 0 is the
+   middle and 1 the outline; g = 1 / (1 + z): 1 - cosine of its angle to the axis is
+   inner (1 - z), 1 - z = g ((a c)^2 + (b s)^2). */
+PSC_LANE void FN(cone_point)(real a, real b, real inner, real rest, real c, real s, real g,
+                             struct FN(psc_disk_point) *p)
+{
+    const real ac = a * c, bs = b * s;
+    const real kz = inner * g, h = kz * (ac * ac + bs * bs);
+    const real r = SQRT(kz * (K(2.0) - h));
+
+    p->x = ac * r;
+    p->y = bs * r;
+    p->z = -h;
+    p->c = c;
+    p->s = s;
+    p->rest = rest;
+}
+
+PSC_LANE real FN(power_sum)(int m, size_t stride, const real *c, real x)
+{
+    real sum = c[(size_t)(m - 1) * stride];
+    int k;
+
+    PSC_UNROLL
+    for (k = m - 2; k >= 0; k--)
+        sum = sum * x + c[(size_t)k * stride];
+    return sum;
+}
+
+/* The interpolated maps of ellipse_fit_tmpl.h. */
+PSC_LANE void FN(fitted_point)(int m, size_t stride, const real *fit, int concentric, real a, real b,
+                               real u, real v, struct FN(psc_disk_point) *p)
+{
+    const size_t rows = (size_t)m * stride;
+    real c, s, x, versine, radius, margin, inner, rest;
+
+    if (concentric) {
+        FN(square_to_disk)(u, v, &c, &s, &versine, &radius, &margin);
+        inner = radius * radius;
+        rest = margin * (K(1.0) + radius);
+    } else {
+        FN(full_turn)(u, &c, &s);
+        inner = K(1.0) - v;
+        rest = v;
+    }
+    x = (c - s) * (c + s);
+    FN(cone_point)(a, b, inner, rest, c * FN(power_sum)(m, stride, fit, x),
+                   s * FN(power_sum)(m, stride, fit + rows, x),
+                   FN(power_sum)(m, stride, fit + 2 * rows, x), p);
+}
+
+/* How far in front of the receiver the direction goes, z, and z^2 (1 - U^2 - V^2) of
+   ellipse_view.h, both without cancellation. */
+PSC_LANE void FN(cone_depth)(real ca, real cb, const struct FN(psc_disk_point) *p, real *height,
+                             real *margin)
+{
+    const real cc = ca * p->c, cs = cb * p->s, z = SQRT(cc * cc + cs * cs);
+
+    *height = z + p->rest * (K(1.0) - z);
+    *margin = p->rest * (*height + z) / (K(1.0) + z);
+}
+
+/* The same on a chord, see ellipse_chord.h. */
+PSC_LANE void FN(chord_depth)(real ca, real cb, const struct FN(psc_disk_point) *p, real *height,
+                              real *margin)
+{
+    const real c2 = p->c * p->c, s2 = p->s * p->s;
+    const real q = K(1.0) / MAX(ca * c2 + s2, SMALLEST), y = K(1.0) / MAX(c2 + ca * s2, SMALLEST);
+    const real square = p->rest * q + (K(1.0) - p->rest) * ca * y;
+
+    *height = SQRT(square * (ca * c2 + cb * cb * s2));
+    *margin = p->rest * ca * c2 * q;
+}
+
+/* The boost between the unit disks of ellipse_view.h: from (x', y') = (U', V') times h, and
+   margin = h^2 (1 - U^2 - V^2); near and far exchanged for the way back. D through inverse = 1 / D. */
+PSC_LANE void FN(boost)(real near, real far, real x, real y, real h, real margin, real *qx, real *qy,
+                        real *inverse)
+{
+    const real sum = MAX(h + ABS(y), SMALLEST);
+    const real other = (margin + x * x) / sum;
+    const real plus = y < K(0.0) ? other : sum, minus = y < K(0.0) ? sum : other;
+    const real p = near * plus, m = far * minus;
+
+    *inverse = K(1.0) / MAX(p + m, SMALLEST);
+    *qx = K(2.0) * x * *inverse;
+    *qy = (p - m) * *inverse;
+}
+
+/*
+ * Area maps: the point (s, t) of the light, 1 - s^2 - t^2 = rest. W V of ellipse_view.h takes it to
+ * (at U, bt V, 1) D' / 2 in the frame of the cone, in units of reach: linear, without a quotient.
+ * Here times cos alpha, so that no tangent is needed: in units of area_reach.
+ */
+PSC_LANE void FN(area_point)(const struct FN(psc_disk_world) *w, real s, real t, real rest,
+                             struct FN(psc_disk_point) *p)
+{
+    const real qx = w->side[0][0] * s + w->side[0][1] * t;
+    const real qy = w->side[1][0] * s + w->side[1][1] * t;
+    const real sum = K(1.0) + ABS(qy), other = (rest + qx * qx) / sum;
+    const real plus = qy < K(0.0) ? other : sum, minus = qy < K(0.0) ? sum : other;
+    const real ty = K(0.5) * (w->far * plus - w->near * minus);
+    const real x = w->a * (w->turn[0] * qx - w->turn[1] * ty);
+    const real y = w->flat_b * (w->turn[1] * qx + w->turn[0] * ty);
+    const real z = w->ca * (K(0.5) * (w->far * plus + w->near * minus));
+    const real length = SQRT((x * x + y * y) + z * z), inverse = K(1.0) / length;
+
+    p->x = x * inverse;
+    p->y = y * inverse;
+    p->z = -(p->x * p->x + p->y * p->y) * (length / (length + z));
+    p->c = qx;
+    p->s = qy;
+    p->rest = length;
+}
+
+PSC_LANE void FN(area_polar)(const struct FN(psc_disk_world) *w, int concentric, real u, real v,
+                           struct FN(psc_disk_point) *p)
+{
+    real c, s, versine, radius, margin, rest;
+
+    if (concentric) {
+        FN(square_to_disk)(u, v, &c, &s, &versine, &radius, &margin);
+        rest = margin * (K(1.0) + radius);
+    } else {
+        FN(full_turn)(u, &c, &s);
+        radius = SQRT(K(1.0) - v);
+        rest = v;
+    }
+    FN(area_point)(w, radius * c, radius * s, rest, p);
+}
+
+/* Chords of the disk at the height sin E, E + sin E cos E = pi (u - 1/2). */
+PSC_LANE void FN(area_chord)(const struct FN(psc_disk_world) *w, real u, real v,
+                             struct FN(psc_disk_point) *p)
+{
+    real half, height;
+
+    FN(solve_chord)(K(2.0) * MIN(u, K(1.0) - u), &half, &height);
+    FN(area_point)(w, (K(2.0) * v - K(1.0)) * half, COPYSIGN(height, u - K(0.5)),
+                   K(4.0) * v * (K(1.0) - v) * (half * half), p);
+}
+
+PSC_LANE void FN(area_lane)(enum psc_disk_map map, const struct FN(psc_disk_world) *w, real u, real v,
+                            struct FN(psc_disk_point) *p)
+{
+    if (map == PSC_DISK_AREA_PARALLEL)
+        FN(area_chord)(w, u, v, p);
+    else
+        FN(area_polar)(w, map == PSC_DISK_AREA_CONCENTRIC, u, v, p);
+}

@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* What a sampler keeps of a light that is seen as an elliptic cone: disks, elliptical disks and
+   ellipsoids. */
+#ifndef PSC_SRC_DISK_SIDE_H
+#define PSC_SRC_DISK_SIDE_H
+
+#include "ellipse_cdf.h"
+
+/* Rules of interpolation, by the smallest quotient cos alpha / cos beta that each serves: nodes,
+   steps of fit_node(). */
+#define PSC_RULES_F64(X) \
+    X(0, 4, 1, 0.9995)   \
+    X(1, 6, 1, 0.99)     \
+    X(2, 8, 2, 0.95)     \
+    X(3, 12, 2, 0.83)    \
+    X(4, 16, 2, 0.7)     \
+    X(5, 24, 2, PSC_ELLIPSE_REGULAR)
+#define PSC_RULES_F32(X) \
+    X(0, 3, 1, 0.97)     \
+    X(1, 4, 1, 0.9)      \
+    X(2, 6, 1, 0.7)      \
+    X(3, 10, 1, PSC_ELLIPSE_REGULAR)
+#define PSC_MOST_TERMS_F64 24
+#define PSC_MOST_TERMS_F32 10
+
+enum psc_disk_map {
+    PSC_DISK_RADIAL,
+    PSC_DISK_CONCENTRIC,
+    PSC_DISK_PARALLEL,
+    PSC_DISK_AREA_RADIAL,
+    PSC_DISK_AREA_CONCENTRIC,
+    PSC_DISK_AREA_PARALLEL,
+    /* From inside an ellipsoid, all directions. */
+    PSC_DISK_AROUND_RADIAL,
+    PSC_DISK_AROUND_CONCENTRIC,
+    PSC_DISK_AROUND_PARALLEL
+};
+
+struct psc_disk_light {
+    struct psc_ellipse seen;
+    double axis[3]; /* what an offset from the axis is added to: seen.z */
+    enum psc_disk_map map;
+    int rule_f64, rule_f32; /* -1: none, cdf_solve() */
+    double fit_f64[3 * PSC_MOST_TERMS_F64];
+    float fit_f32[3 * PSC_MOST_TERMS_F32];
+    struct psc_cdf cdf;
+
+    /* The hit, see ellipse_view.h: point = center + q_x across[0] + q_y across[1]. */
+    double near, far, turn[2], side[2][2], reach;
+    double center[3], across[2][3];
+    double receiver[3]; /* unit normal of the receiver, or 0 */
+    double normal[3]; /* of a flat light */
+    double area;      /* likewise */
+
+    /* An ellipsoid, seen from the distance `far_off` in the units in which it is the unit sphere:
+       solid_axis[2] is from the receiver to the centre, inverse the transposed inverse of
+       solid_axis in units of 1 / unit. */
+    int solid, inside;
+    double far_off, beyond; /* and beyond^2 = far_off^2 - 1, negated from inside */
+    double solid_axis[3][3], inverse[3][3], unit;
+    double offset[3]; /* from inside, of the centre, in those units */
+};
+
+#endif

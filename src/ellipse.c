@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Elliptical disks. */
+#include "disk_light.h"
+
+static const char geometry[] = "vvv"; /* center, two conjugate semi-axes */
+
+const struct psc_shape_row psc_shape_ellipse = {
+    PSC_SHAPE_ELLIPSE, PSC_KERNEL_ELLIPSE, {7, 0, 7, 0}, psc_disk_whole_solid_angle,
+    psc_disk_projected_solid_angle, psc_disk_area, psc_disk_pdf, psc_disk_invert};
+
+psc_result psc_build_ellipse(psc_sampler *sampler, const psc_technique *technique,
+                          const psc_receiver *receiver, const double center[3],
+                          const double axis_u[3], const double axis_v[3])
+{
+    const double *const parts[] = {center, axis_u, axis_v};
+
+    return psc_build(sampler, &psc_shape_ellipse, geometry, technique, receiver, parts);
+}
+
+psc_result psc_ellipse_sample_n_f64(const psc_technique *technique, size_t count,
+                                 const psc_receivers_f64 *receivers, const psc_input_f64 *center,
+                                 const psc_input_f64 *axis_u, const psc_input_f64 *axis_v,
+                                 const psc_input_f64 *uv, const psc_samples_f64 *out)
+{
+    const psc_input_f64 *const parts[] = {center, axis_u, axis_v};
+
+    return psc_wavefront_f64(&psc_shape_ellipse, geometry, technique, count, receivers, parts, uv,
+                             out);
+}
+
+psc_result psc_ellipse_sample_n_f32(const psc_technique *technique, size_t count,
+                                 const psc_receivers_f32 *receivers, const psc_input_f32 *center,
+                                 const psc_input_f32 *axis_u, const psc_input_f32 *axis_v,
+                                 const psc_input_f32 *uv, const psc_samples_f32 *out)
+{
+    const psc_input_f32 *const parts[] = {center, axis_u, axis_v};
+
+    return psc_wavefront_f32(&psc_shape_ellipse, geometry, technique, count, receivers, parts, uv,
+                             out);
+}
+
+psc_result psc_ellipse_solid_angle(const double position[3], const double center[3],
+                                const double axis_u[3], const double axis_v[3], double *solid_angle)
+{
+    const double *const parts[] = {center, axis_u, axis_v};
+
+    return psc_disk_ask_solid_angle(&psc_shape_ellipse, geometry, position, parts, solid_angle);
+}

@@ -1,0 +1,274 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * What a receiver sees of a light whose outline is an elliptic cone, and how the cone's directions
+ * meet the light.
+ *
+ * In gnomonic coordinates scaled by the tangents of the semi-arcs, U = x / (at z) and
+ * V = y / (bt z), the cone is the unit disk. An elliptical disk c + s g1 + t g2 is a unit disk in
+ * (s,t), and the projection between the two unit disks is a motion of the Klein model of the
+ * hyperbolic plane: a turn, a translation along y', and a turn,
+ *     x' + i y' = (turn0 - i turn1) (U + i V),
+ *     q_x = 2 x' / D,  q_y = (near (1 + y') - far (1 - y')) / D,  D = near (1 + y') + far (1 - y'),
+ *     (s,t) = q_x side[0] + q_y side[1],   near far = 1.
+ */
+#ifndef PSC_SRC_ELLIPSE_VIEW_H
+#define PSC_SRC_ELLIPSE_VIEW_H
+
+#include "ellipse.h"
+#include "wide.h"
+
+struct psc_outline {
+    struct psc_ellipse seen;
+    double near, far, turn[2];
+    double side[2][2];
+    double reach; /* of the light along z: the receiver is at distance 2 reach / D of the light in
+                     the direction whose gnomonic coordinates are divided by their z */
+};
+
+/* The vector from the receiver to the light in two words, in units of 1 / scale. */
+PSC_LANE void see_offset(const double position[3], const double center[3], double scale,
+                         struct psc_wide to[3])
+{
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        two_sum(center[i], -position[i], &to[i].high, &to[i].low);
+        to[i].high *= scale;
+        to[i].low *= scale;
+    }
+}
+
+/*
+ * A circular disk: the offset of its centre, its normal (largest component in [1,2)), its radius;
+ * axes receives unit vectors across the normal. 0 when the receiver is in its plane. `facing` is
+ * -1 for a receiver in front of the disk.
+ *
+ * With d the distance to the plane, y that of the centre from the plane's nearest point and m1,
+ * m2 the distances of the nearest and the farthest point of the rim,
+ *     sin alpha = 2 r / (m1 + m2),   lp - lm = m1^2 - ... = (y - r)(y + r) + d^2 = T,
+ *     lp lm = (d r)^2,   sin^2 beta = lm / (m1 m2),
+ * from the roots lp > 0 > -lm of the quadratic form d^2 X^2 + lp Y^2 = lm Z^2 of the cone. Nothing
+ * cancels but y - r, which comes from squares in two words. 8e-16 relative, all in all.
+ */
+PSC_LANE int see_disk(const struct psc_wide offset[3], const double normal[3], double radius,
+                      double axes[2][3], struct psc_outline *o, double *facing)
+{
+    struct psc_wide n[3], v[3], nn, nc, vv, rr;
+    struct psc_ellipse *e = &o->seen;
+    double length, shrink, d, y, gap, sum, m1, m2, t, p, root_lp, root_lm, foot[3], up[3], outward[3];
+    double x, z, size;
+    int i, on_axis;
+
+    wide_vector(normal, n);
+    nn = wide_dot(n, n);
+    nc = wide_dot(n, offset);
+    wide_cross(n, offset, v);
+    vv = wide_dot(v, v);
+    length = SQRT(nn.high);
+    shrink = 1.0 / length;
+    *facing = COPYSIGN(1.0, nc.high);
+    d = ABS(nc.high) * shrink;
+    y = SQRT(vv.high) * shrink;
+    rr = wide_product(wide_square(wide_of(radius)), nn);
+    sum = y + radius;
+    gap = wide_sum(vv, wide_negative(rr)).high / (nn.high * sum);
+    m1 = SQRT(gap * gap + d * d);
+    m2 = SQRT(sum * sum + d * d);
+    t = gap * sum + d * d;
+    p = m1 * m2;
+    root_lp = SQRT(0.5 * (ABS(t) + p));
+    root_lm = d * radius / root_lp;
+    if (t < 0.0) {
+        const double swap = root_lp;
+
+        root_lp = root_lm;
+        root_lm = swap;
+    }
+    e->a = MIN(2.0 * radius / (m1 + m2), 1.0);
+    e->ca = 2.0 * root_lp / (m1 + m2);
+    e->b = root_lm / SQRT(p);
+    e->cb = root_lp / SQRT(p);
+    e->at = radius / root_lp;
+    e->bt = root_lm / root_lp;
+
+    /* up: the normal away from the receiver; foot: in the plane towards the centre */
+    on_axis = !(vv.high > 0.0);
+    for (i = 0; i < 3; i++) {
+        outward[i] = normal[i] * shrink;
+        up[i] = *facing * outward[i];
+    }
+    perpendicular(outward, axes[0]);
+    cross_rounded(outward, axes[0], axes[1]);
+    if (on_axis)
+        perpendicular(up, e->x);
+    else
+        for (i = 0; i < 3; i++)
+            e->x[i] = -*facing * v[i].high / SQRT(vv.high);
+    cross_rounded(up, e->x, foot);
+    /* z is y foot + (d + r bt) up, stretched by root_lp */
+    x = y * root_lp;
+    z = d * root_lp + radius * root_lm;
+    size = 1.0 / SQRT(x * x + z * z);
+    x *= size;
+    z *= size;
+    for (i = 0; i < 3; i++) {
+        e->z[i] = x * foot[i] + z * up[i];
+        e->y[i] = z * foot[i] - x * up[i];
+    }
+
+    o->near = SQRT(m1 / m2);
+    o->far = SQRT(m2 / m1);
+    o->turn[0] = 1.0;
+    o->turn[1] = 0.0;
+    o->reach = root_lp;
+    o->side[0][0] = dot(e->x, axes[0]);
+    o->side[0][1] = dot(e->x, axes[1]);
+    o->side[1][0] = dot(foot, axes[0]);
+    o->side[1][1] = dot(foot, axes[1]);
+    return root_lp > 0.0 && root_lm > 0.0;
+}
+
+/* One-sided Jacobi: turns the first two columns of w, and of the record v of all that is done,
+   until they are perpendicular; whether they were not before. */
+static inline int jacobi_turn(double w[3][3], double v[3][3])
+{
+    const double g = dot(w[0], w[1]), n0 = dot(w[0], w[0]), n1 = dot(w[1], w[1]);
+    double z, t, c, s;
+    int i;
+
+    if (!(ABS(g) > DBL_EPSILON * SQRT(n0) * SQRT(n1)))
+        return 0;
+    z = (n1 - n0) / (2.0 * g);
+    t = COPYSIGN(1.0, z) / (ABS(z) + SQRT(1.0 + z * z));
+    c = 1.0 / SQRT(1.0 + t * t);
+    s = c * t;
+    for (i = 0; i < 3; i++) {
+        const double a = w[0][i], b = w[1][i], p = v[0][i], q = v[1][i];
+
+        w[0][i] = c * a - s * b;
+        w[1][i] = s * a + c * b;
+        v[0][i] = c * p - s * q;
+        v[1][i] = s * p + c * q;
+    }
+    return 1;
+}
+
+/* The same for column k and the last by a hyperbolic turn by artanh t. Where the two are nearly
+   equal, t is nearly -sign, and e = 1 - |t| with w_k - sign w_2 keeps the digits. */
+static inline int jacobi_boost(double w[3][3], double v[3][3], int k)
+{
+    const double g = dot(w[k], w[2]), n0 = dot(w[k], w[k]), n1 = dot(w[2], w[2]);
+    const double sign = COPYSIGN(1.0, g), z = 2.0 * g / (n0 + n1);
+    double off[3], below, q, e, c;
+    int i, equal;
+
+    if (!(ABS(g) > DBL_EPSILON * SQRT(n0) * SQRT(n1)))
+        return 0;
+    for (i = 0; i < 3; i++)
+        off[i] = w[k][i] - sign * w[2][i];
+    equal = ABS(z) > 0.5;
+    below = equal ? dot(off, off) / (n0 + n1) : 1.0 - ABS(z);
+    q = SQRT(below * (2.0 - below));
+    e = equal ? (q + below) / (1.0 + q) : 1.0 - ABS(z) / (1.0 + q);
+    c = 1.0 / SQRT(e * (2.0 - e));
+    for (i = 0; i < 3; i++) {
+        const double t = -z / (1.0 + q), a = w[k][i], b = w[2][i], p = v[k][i], r = v[2][i];
+        const double d = p - sign * r;
+
+        w[k][i] = c * (equal ? off[i] + sign * e * b : a + t * b);
+        w[2][i] = c * (equal ? sign * (e * a - off[i]) : b + t * a);
+        v[k][i] = c * (equal ? d + sign * e * r : p + t * r);
+        v[2][i] = c * (equal ? sign * (e * p - d) : r + t * p);
+    }
+    return 1;
+}
+
+/* Unit vectors x along a, y along what of b is perpendicular to it, and z = x cross y. */
+static inline void frame(const double a[3], const double b[3], double x[3], double y[3],
+                         double z[3])
+{
+    double length = 1.0 / SQRT(dot(a, a)), along;
+    int i;
+
+    for (i = 0; i < 3; i++)
+        x[i] = a[i] * length;
+    along = dot(b, x);
+    for (i = 0; i < 3; i++)
+        y[i] = b[i] - along * x[i];
+    length = 1.0 / SQRT(dot(y, y));
+    for (i = 0; i < 3; i++)
+        y[i] *= length;
+    cross_rounded(x, y, z);
+}
+
+/*
+ * An elliptical disk with the conjugate semi-axes g1, g2, whose determinant with the offset is
+ * det. Its cone has the dual matrix g1 g1' + g2 g2' - c c' = W J W', W = (g1 g2 c),
+ * J = diag(1, 1, -1); W V with V in SO(2,1) gives the same. Rotations that make the columns of W
+ * perpendicular give the axes of the cone, the tangents as quotients of their lengths, and V the
+ * projection. The shortest column follows from the determinant, which does not change.
+ */
+static inline int see_elliptical(const double g1[3], const double g2[3], const double offset[3],
+                                 double det, struct psc_outline *o)
+{
+    double w[3][3], v[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}, n[3];
+    struct psc_ellipse *e = &o->seen;
+    double sinh_rho, turn, hypotenuse;
+    int i, sweep, changed, first, second, low;
+
+    memcpy(w[0], g1, sizeof w[0]);
+    memcpy(w[1], g2, sizeof w[1]);
+    memcpy(w[2], offset, sizeof w[2]);
+    for (sweep = 0, changed = 1; changed && sweep < 12; sweep++) {
+        changed = jacobi_boost(w, v, 0);
+        changed |= jacobi_boost(w, v, 1);
+        changed |= jacobi_turn(w, v);
+    }
+    for (i = 0; i < 3; i++)
+        n[i] = SQRT(dot(w[i], w[i]));
+    first = n[0] >= n[1] ? 0 : 1;
+    second = 1 - first;
+    low = n[second] <= n[2];
+    frame(w[first], low ? w[2] : w[second], e->x, low ? e->z : e->y, low ? e->y : e->z);
+    /* the columns are turned round where the frame is */
+    turn = dot(e->z, offset) < 0.0 ? -1.0 : 1.0;
+    for (i = 0; i < 3; i++)
+        e->z[i] *= turn;
+    cross_rounded(e->z, e->x, e->y);
+    turn = dot(w[second], e->y) < 0.0 ? -1.0 : 1.0;
+    for (i = 0; i < 3; i++)
+        v[second][i] *= turn;
+    if (low)
+        n[second] = ABS(det) / (n[first] * n[2]);
+    else
+        n[2] = ABS(det) / (n[first] * n[second]);
+    if (!(n[0] > 0.0 && n[1] > 0.0 && n[2] > 0.0))
+        return 0;
+    e->at = n[first] / n[2];
+    e->bt = n[second] / n[2];
+    hypotenuse = SQRT(n[first] * n[first] + n[2] * n[2]);
+    e->a = n[first] / hypotenuse;
+    e->ca = n[2] / hypotenuse;
+    hypotenuse = SQRT(n[second] * n[second] + n[2] * n[2]);
+    e->b = n[second] / hypotenuse;
+    e->cb = n[2] / hypotenuse;
+    o->reach = n[2];
+
+    /* V = turn (side) boost turn: y' is where the last row points, x' is not boosted. */
+    sinh_rho = SQRT(v[first][2] * v[first][2] + v[second][2] * v[second][2]);
+    o->far = SQRT(1.0 + sinh_rho * sinh_rho) + sinh_rho;
+    o->near = 1.0 / o->far;
+    o->turn[0] = sinh_rho > 0.0 ? -v[second][2] / sinh_rho : 1.0;
+    o->turn[1] = sinh_rho > 0.0 ? v[first][2] / sinh_rho : 0.0;
+    for (i = 0; i < 2; i++)
+        o->side[0][i] = o->turn[0] * v[first][i] + o->turn[1] * v[second][i];
+    turn = 1.0 / SQRT(o->side[0][0] * o->side[0][0] + o->side[0][1] * o->side[0][1]);
+    o->side[0][0] *= turn;
+    o->side[0][1] *= turn;
+    turn = v[first][0] * v[second][1] - v[first][1] * v[second][0] < 0.0 ? -1.0 : 1.0;
+    o->side[1][0] = -turn * o->side[0][1];
+    o->side[1][1] = turn * o->side[0][0];
+    return 1;
+}
+
+#endif

@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Disks: solid angle, and the radial, parallel and concentric maps of spherical ellipses.
+ *
+ * Rows of the maps give semi-arcs as exact doubles. They are evaluated from these (arcs.h) as
+ * offsets from the axis. An error in x counts in units of sin alpha, one in y in those of
+ * sin beta; in the parallel map, which is as steep as a cube root at its ends, divided by that
+ * slope.
+ */
+#include "arcs.h"
+#include "calls.h"
+#include "golden.h"
+
+static double relative(quad value, quad expected)
+{
+    return (double)quad_abs(value / expected - 1);
+}
+
+/* ---- Solid angle */
+
+static void compare_solid_angle(const struct csv *row, double error[GOLDEN_MEASURES])
+{
+    static const psc_map maps[3] = {PSC_MAP_RADIAL, PSC_MAP_PARALLEL, PSC_MAP_CONCENTRIC};
+    static const double origin[3] = {0.0, 0.0, 0.0};
+    const double *center = row->number + 1, *normal = row->number + 4, radius = row->number[7];
+    const psc_receiver receiver = make_receiver(origin, NULL, 0);
+    struct test_sampler s;
+    psc_light_sample_f64 sample = {.pdf = NAN};
+    double total = NAN;
+    int i;
+
+    error[0] = error[2] = 0.0;
+    for (i = 0; i < 3; i++) {
+        const psc_technique technique = make_technique(PSC_MEASURE_SOLID_ANGLE, maps[i]);
+
+        psc_build_disk(make_sampler(&s), &technique, &receiver, center, normal, radius);
+        psc_sampler_total(s.sampler, &total);
+        error[0] = fmax(error[0], relative(total, row->exact[8]));
+        sample_any(32, s.sampler, 0.25, 0.75, &sample);
+        error[2] = fmax(error[2], relative(1 / (quad)sample.pdf, row->exact[8]));
+    }
+    psc_disk_solid_angle(origin, center, normal, radius, &total);
+    error[1] = relative(total, row->exact[8]);
+}
+
+/* ---- Directions */
+
+static psc_result build_arcs(struct test_sampler *s, psc_map map, const struct csv *row)
+{
+    const psc_technique technique = make_technique(PSC_MEASURE_SOLID_ANGLE, map);
+
+    return psc_build_ellipse_arcs(make_sampler(s), &technique, row->number[1], row->number[2]);
+}
+
+static void offset_f64(psc_map map, const struct csv *row, double u, double v, double offset[3])
+{
+    struct test_sampler s;
+
+    offset[0] = offset[1] = offset[2] = NAN;
+    if (build_arcs(&s, map, row) == PSC_SUCCESS)
+        psc_sample_cone_offset_f64(s.sampler, u, v, offset);
+}
+
+/* The stored direction less the axis; z - 1 from the others where they have more digits. */
+static void stored_offset(const struct csv *row, quad offset[3])
+{
+    const quad square = row->exact[5] * row->exact[5] + row->exact[6] * row->exact[6];
+
+    offset[0] = row->exact[5];
+    offset[1] = row->exact[6];
+    offset[2] = square < 0.5 ? -square / (1 + quad_sqrt(1 - square)) : row->exact[7] - 1;
+}
+
+/* In units of the semi-arcs' sines. */
+static double distance(const struct csv *row, const double a[3], const quad b[3])
+{
+    const quad x = (a[0] - b[0]) / quad_sin(row->number[1]);
+    const quad y = (a[1] - b[1]) / quad_sin(row->number[2]);
+    const quad z = (a[2] - b[2]) / quad_sin(row->number[1]);
+
+    return (double)quad_sqrt(x * x + y * y + z * z);
+}
+
+/* What the point moves per unit of e1: as a cube root does at its ends. */
+static double speed(const struct csv *row)
+{
+    const double end = fmin(row->number[3], 1.0 - row->number[3]);
+
+    return pow(fmax(end, 0x1p-53), -2.0 / 3.0);
+}
+
+/* The stored point is moved to e1 and e2 rounded to float by what the double map, which is compared
+   with it itself, moves between the two. */
+static double error_f32(psc_map map, const struct csv *row)
+{
+    const float u = (float)row->number[3], v = (float)row->number[4];
+    double here[3], there[3];
+    struct test_sampler s;
+    quad expected[3];
+    float f[3] = {NAN, NAN, NAN};
+    int i;
+
+    offset_f64(map, row, row->number[3], row->number[4], here);
+    offset_f64(map, row, u, v, there);
+    stored_offset(row, expected);
+    if (build_arcs(&s, map, row) == PSC_SUCCESS)
+        psc_sample_cone_offset_f32(s.sampler, u, v, f);
+    for (i = 0; i < 3; i++) {
+        expected[i] += (quad)there[i] - here[i];
+        here[i] = f[i];
+    }
+    return distance(row, here, expected);
+}
+
+static void compare_direction(psc_map map, const struct csv *row, double error[GOLDEN_MEASURES])
+{
+    const double scale = map == PSC_MAP_PARALLEL ? speed(row) : 1.0;
+    struct test_sampler s;
+    double here[3], total = NAN;
+    quad stored[3];
+
+    stored_offset(row, stored);
+    offset_f64(map, row, row->number[3], row->number[4], here);
+    error[0] = distance(row, here, stored) / scale;
+    error[1] = error_f32(map, row) / scale;
+    build_arcs(&s, map, row);
+    psc_sampler_total(s.sampler, &total);
+    error[2] = relative(total, row->exact[8]);
+}
+
+static void compare_radial(const struct csv *row, double error[GOLDEN_MEASURES])
+{
+    compare_direction(PSC_MAP_RADIAL, row, error);
+}
+
+static void compare_parallel(const struct csv *row, double error[GOLDEN_MEASURES])
+{
+    compare_direction(PSC_MAP_PARALLEL, row, error);
+}
+
+static void compare_concentric(const struct csv *row, double error[GOLDEN_MEASURES])
+{
+    compare_direction(PSC_MAP_CONCENTRIC, row, error);
+}
+
+#define COLUMNS "kind,alpha,beta,e1,e2,x,y,z,solid_angle"
+#define MEASURES                                                          \
+    {                                                                     \
+        {"direction f64, in sines of the semi-arcs", 1e-14},              \
+        {"direction f32, in sines of the semi-arcs", 2e-6},               \
+        {"total, relative", 2e-15},                                       \
+        {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}                             \
+    }
+
+const struct golden_quantity golden_disks[] = {
+    {"disk_solid_angle", "kind,cx,cy,cz,nx,ny,nz,radius,solid_angle", 9, compare_solid_angle,
+     {{"total, relative", 2e-15},
+      {"total without a sampler, relative", 2e-15},
+      {"1 / pdf f32, relative", 1e-6},
+      {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}}},
+    {"disk_radial", COLUMNS, 9, compare_radial, MEASURES},
+    {"disk_parallel", COLUMNS, 9, compare_parallel, MEASURES},
+    {"disk_concentric", COLUMNS, 9, compare_concentric, MEASURES},
+    {NULL, NULL, 0, NULL,
+     {{NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}}},
+};
