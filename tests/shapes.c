@@ -104,10 +104,6 @@ static void face_light(uint64_t *state, const struct light *light, int horizon,
 
 /* ---- In the world ---- */
 
-struct motion {
-    double x[3], y[3], z[3], scale, shift[3];
-};
-
 static void rotate(const struct motion *m, const double v[3], double out[3])
 {
     int i;
@@ -142,7 +138,7 @@ static void random_motion(uint64_t *state, const double from[3], struct motion *
                                     : m->scale * random_between(state, -2.0, 2.0);
 }
 
-static void move_geometry(const struct motion *m, double length, struct light *light)
+void move_geometry(const struct motion *m, double length, struct light *light)
 {
     double *g = light->geometry, v[3];
     const char *part;

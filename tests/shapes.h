@@ -151,6 +151,14 @@ enum {
     HORIZONS
 };
 
+/* From where a light is made to where it is: rotated, scaled, shifted. */
+struct motion {
+    double x[3], y[3], z[3], scale, shift[3];
+};
+
+/* Moves what `make` made; directions get the length. */
+void move_geometry(const struct motion *motion, double length, struct light *light);
+
 /* Whether the technique can be built for this facing. */
 int is_offered(const struct test_technique *what, int facing);
 

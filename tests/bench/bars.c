@@ -3,45 +3,79 @@
 
 #include <string.h>
 
-/* One ratio of two jobs of a regime, and how large or small it is meant to be. */
+/* One ratio of two jobs, and how large or small it is meant to be. */
 struct side {
     const char *method, *how; /* how NULL: the kernel that the library takes */
 };
 
 static const struct bar {
     const char *text;
-    enum regime regime;
+    enum regime regime, regime_under;
     struct side over, under;
     unsigned cases; /* a set of 1 << case */
     int bits;       /* 32, 64 or both (96) */
     double bound;
     int at_least;
 } bars[] = {
+#define IN(regime) REGIME_##regime, REGIME_##regime
 #define ELLIPSE (1u << CASE_ELLIPSE)
 #define MIXED (1u << CASE_MIXED | 1u << CASE_SUN)
 #define LUNES (1u << CASE_LUNE | 1u << CASE_THIN)
 #define OWN {"radial", NULL}
 #define CONE {"cone", NULL}
 #define OF_PAPER {"radial", "paper"}
-    {"radial at most 1.3 cones", REGIME_MANY, OWN, CONE, ELLIPSE, 96, 1.3, 0},
-    {"radial at most 2 cones", REGIME_MANY, OWN, CONE, MIXED, 32, 2.0, 0},
-    {"radial at most 4 cones", REGIME_MANY, OWN, CONE, MIXED, 64, 4.0, 0},
-    {"radial at most 10 cones", REGIME_MANY, OWN, CONE, LUNES, 64, 10.0, 0},
-    {"radial 20 times as fast as the paper", REGIME_MANY, OF_PAPER, OWN, MIXED, 96, 20.0, 1},
-    {"radial 10 times as fast as the paper", REGIME_MANY, OF_PAPER, OWN, LUNES, 96, 10.0, 1},
-    {"parallel 3 times as fast as the paper", REGIME_MANY, {"parallel", "paper"},
+    {"radial at most 1.3 cones", IN(MANY), OWN, CONE, ELLIPSE, 96, 1.3, 0},
+    {"radial at most 2 cones", IN(MANY), OWN, CONE, MIXED, 32, 2.0, 0},
+    {"radial at most 4 cones", IN(MANY), OWN, CONE, MIXED, 64, 4.0, 0},
+    {"radial at most 10 cones", IN(MANY), OWN, CONE, LUNES, 64, 10.0, 0},
+    {"radial 20 times as fast as the paper", IN(MANY), OF_PAPER, OWN, MIXED, 96, 20.0, 1},
+    {"radial 10 times as fast as the paper", IN(MANY), OF_PAPER, OWN, LUNES, 96, 10.0, 1},
+    {"parallel 3 times as fast as the paper", IN(MANY), {"parallel", "paper"},
      {"parallel", NULL}, ELLIPSE | MIXED | LUNES, 96, 3.0, 1},
-    {"concentric at most 1.5 radial", REGIME_MANY, {"concentric", NULL}, OWN,
+    {"concentric at most 1.5 radial", IN(MANY), {"concentric", NULL}, OWN,
      ELLIPSE | MIXED | LUNES, 96, 1.5, 0},
-    {"radial at most 1.2 libm cones", REGIME_ONE, {"radial", "calls"}, {"cone", "libm"}, ELLIPSE,
+    {"radial at most 1.2 libm cones", IN(ONE), {"radial", "calls"}, {"cone", "libm"}, ELLIPSE,
      96, 1.2, 0},
-    {"radial 2.5 times as fast as the paper", REGIME_ONE, OF_PAPER, {"radial", "calls"}, MIXED,
+    {"radial 2.5 times as fast as the paper", IN(ONE), OF_PAPER, {"radial", "calls"}, MIXED,
      96, 2.5, 1},
-    {"radial 1.5 times as fast as the paper", REGIME_ONE, OF_PAPER, {"radial", "calls"}, LUNES,
+    {"radial 1.5 times as fast as the paper", IN(ONE), OF_PAPER, {"radial", "calls"}, LUNES,
      96, 1.5, 1},
-    {"parallel no slower than the paper", REGIME_ONE, {"parallel", "paper"},
+    {"parallel no slower than the paper", IN(ONE), {"parallel", "paper"},
      {"parallel", "calls"}, ELLIPSE | MIXED | LUNES, 96, 1.0, 1},
-    {"radial at most 2.5 cones", REGIME_WAVEFRONT, OWN, CONE, 1u << CASE_CORNELL, 32, 2.5, 0},
+    {"radial at most 2.5 cones", IN(WAVEFRONT), OWN, CONE, 1u << CASE_CORNELL, 32, 2.5, 0},
+#define DISKS (1u << CASE_DISK | 1u << CASE_DISK_SMALL)
+#define ALL_DISKS (DISKS | 1u << CASE_DISK_WIDE)
+#define CONCENTRIC {"solid angle, concentric", NULL}
+#define DISK_AREA {"area, concentric", NULL}
+    {"concentric at most 1.3 areas", IN(MANY), CONCENTRIC, DISK_AREA, ALL_DISKS, 32, 1.3, 0},
+    {"concentric at most 1.5 areas", IN(MANY), CONCENTRIC, DISK_AREA, ALL_DISKS, 64, 1.5, 0},
+    {"concentric 100 times as fast as Newton", IN(MANY), {"radial", "Newton"}, CONCENTRIC,
+     ALL_DISKS, 96, 100.0, 1},
+    {"concentric faster than the table", IN(MANY), {"radial", "table"}, CONCENTRIC, ALL_DISKS,
+     96, 1.0, 1},
+    {"concentric at most 5 areas", IN(ONE), {"solid angle, concentric", "calls"},
+     {"area, concentric", "calls"}, DISKS, 32, 5.0, 0},
+    {"concentric at most 4 areas", IN(WAVEFRONT), CONCENTRIC, DISK_AREA, DISKS, 32, 4.0, 0},
+    {"projected at most 0.3 us", IN(MANY), {"projected, concentric", "calls"}, {NULL, NULL},
+     DISKS | 1u << CASE_DISK_CUT, 64, 300.0, 0},
+    {"projected, with build, at most 1.3 us", IN(ONE), {"projected, concentric", "calls"},
+     {NULL, NULL}, DISKS | 1u << CASE_DISK_CUT, 64, 1300.0, 0},
+    {"projected batch 5 times as fast as calls", IN(MANY), {"projected, concentric", "calls"},
+     {"projected, concentric", NULL}, DISKS | 1u << CASE_DISK_CUT, 32, 5.0, 1},
+#define TRIANGLES (1u << CASE_TRIANGLE | 1u << CASE_TRIANGLE_SMALL | 1u << CASE_TRIANGLE_WIDE)
+#define PROJECTED_TRIANGLES (TRIANGLES | 1u << CASE_TRIANGLE_CUT)
+#define ARVO {"solid angle, radial", NULL}
+#define ARVO_CALLS {"solid angle, radial", "calls"}
+#define PROJECTED {"projected, radial", NULL}
+    {"triangle faster than the paper", IN(ONE), {"Arvo", "paper"}, ARVO_CALLS, TRIANGLES, 96,
+     1.0, 1},
+    {"triangle batch at most 0.2 calls", IN(MANY), ARVO, ARVO_CALLS, TRIANGLES, 32, 0.2, 0},
+    {"triangle at most 0.15 builds and samples", REGIME_WAVEFRONT, REGIME_ONE, ARVO, ARVO_CALLS,
+     TRIANGLES, 32, 0.15, 0},
+    {"projected at most 6 solid angles", IN(MANY), {"projected, radial", "calls"}, ARVO_CALLS,
+     PROJECTED_TRIANGLES, 64, 6.0, 0},
+    {"projected batch at most 0.5 calls", IN(MANY), PROJECTED, {"projected, radial", "calls"},
+     PROJECTED_TRIANGLES, 96, 0.5, 0},
 };
 
 /* Whether the paper's method came close to the tolerance that it was given. */
@@ -57,19 +91,22 @@ static int held(const char *method, int which, int bits)
 
 /* In single precision the paper's method is the fastest that holds the tolerance: in many cases
    only that in double does. */
-static double paper_median(const struct bar *b, const char *method, int which, int bits)
+static double paper_median(enum regime regime, const char *method, int which, int bits)
 {
-    const double wide = median_of(b->regime, method, "paper", which, 64);
-    const double own = median_of(b->regime, method, "paper", which, bits);
+    const double wide = median_of(regime, method, "paper", which, 64);
+    const double own = median_of(regime, method, "paper", which, bits);
 
     return held(method, which, bits) && own < wide ? own : wide;
 }
 
-static double side_median(const struct bar *b, const struct side *s, int which, int bits)
+/* ns, or 1 without a method, where the bar is a time. */
+static double side_median(enum regime regime, const struct side *s, int which, int bits)
 {
-    if (s->how && !strcmp(s->how, "paper"))
-        return paper_median(b, s->method, which, bits);
-    return median_of(b->regime, s->method, s->how ? s->how : variant_name(variant_best()), which,
+    if (!s->method)
+        return 1.0;
+    if (s->how && !strcmp(s->how, "paper") && bench_cases[which].family == FAMILY_SPHERE)
+        return paper_median(regime, s->method, which, bits);
+    return median_of(regime, s->method, s->how ? s->how : variant_name(variant_best()), which,
                      bits);
 }
 
@@ -84,17 +121,18 @@ static void each_bar(FILE *to, void (*print)(FILE *, const struct bar *, int whi
             for (bits = 64; bits >= 32; bits -= 32)
                 if (bars[i].cases & 1u << which && bars[i].bits & bits) {
                     const struct bar *b = &bars[i];
-                    const double ratio = side_median(b, &b->over, which, bits) /
-                                         side_median(b, &b->under, which, bits);
+                    const double over = side_median(b->regime, &b->over, which, bits);
+                    const double under = side_median(b->regime_under, &b->under, which, bits);
 
-                    print(to, b, which, bits, ratio,
-                          b->at_least ? ratio >= b->bound : ratio <= b->bound);
+                    if (over > 0.0 && under > 0.0) /* both are there */
+                        print(to, b, which, bits, over / under,
+                              b->at_least ? over / under >= b->bound : over / under <= b->bound);
                 }
 }
 
 static void print_row(FILE *to, const struct bar *b, int which, int bits, double ratio, int met)
 {
-    fprintf(to, "%-10s%-40s%-9s f%d%9.2f   %s\n", regime_names[b->regime], b->text,
+    fprintf(to, "%-10s%-42s%-11s f%d%9.2f   %s\n", regime_names[b->regime], b->text,
             bench_cases[which].name, bits, ratio, met ? "met" : "not met");
 }
 

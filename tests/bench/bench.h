@@ -9,29 +9,47 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include <psc/psc.h>
-
+#include "../shapes.h"
 #include "../variants.h"
 
-/* ---- The lights that are sampled: stage.c ---- */
+/* ---- The lights that are sampled: stage.c, cornell.c ---- */
 
-/* Lights of one elevation and half-angle seen by receivers of all orientations and scales, or
-   the mix that the surfaces of a Cornell box see of four spheres. */
-enum { CASE_ELLIPSE, CASE_MIXED, CASE_LUNE, CASE_THIN, CASE_SUN, CASE_CORNELL, CASES };
+/* Shapes that are compared with each other and share their rivals. */
+enum family { FAMILY_SPHERE, FAMILY_DISK, FAMILY_TRIANGLE, FAMILY_RECTANGLE, FAMILIES };
+
+extern const struct bench_family {
+    const char *shape; /* as the table of shapes calls it */
+    /* What ratios are to: a method of the library, and whose it is when builds count. */
+    const char *baseline, *baseline_how, *text;
+} bench_families[FAMILIES];
+
+/* The shape of a family; NULL if the library has none such. */
+const struct shape *family_shape(enum family family);
+
+/* Lights that fill a half-angle, their middle at one elevation, seen by receivers of all
+   orientations and scales, or the mix that the surfaces of a Cornell box see of four spheres. */
+enum {
+    CASE_ELLIPSE, CASE_MIXED, CASE_LUNE, CASE_THIN, CASE_SUN, CASE_CORNELL,
+    CASE_DISK, CASE_DISK_SMALL, CASE_DISK_WIDE, CASE_DISK_CUT,
+    CASE_TRIANGLE, CASE_TRIANGLE_SMALL, CASE_TRIANGLE_WIDE, CASE_TRIANGLE_CUT,
+    CASE_RECTANGLE, CASE_RECTANGLE_SMALL, CASE_RECTANGLE_WIDE, CASE_RECTANGLE_CUT,
+    CASES
+};
 
 extern const struct bench_case {
+    enum family family;
     const char *name, *text;
     double alpha, beta;
 } bench_cases[CASES];
 
-enum { STAGE_MANY = 1024, STAGE_MAX = 4096 };
+enum { STAGE_MANY = 1024, STAGE_MAX = 4096, LIGHT_MAX = 12 };
 
 /* Elements in separate arrays, not a power of two apart. */
 #define STAGE(bits, type)                                                         \
     struct stage_f##bits {                                                        \
         size_t count;                                                             \
         type position[3][STAGE_MAX + 40], normal[3][STAGE_MAX + 40];               \
-        type center[3][STAGE_MAX + 40], radius[STAGE_MAX + 40];                   \
+        type light[LIGHT_MAX][STAGE_MAX + 40]; /* the numbers of the geometry */   \
         type u[STAGE_MAX + 40], v[STAGE_MAX + 40];                                \
         type direction[3][STAGE_MAX + 40], pdf[STAGE_MAX + 40]; /* what comes out */ \
     };
@@ -42,6 +60,9 @@ extern struct stage_f32 stages_f32[CASES];
 extern struct stage_f64 stages_f64[CASES];
 
 void make_stages(void);
+
+/* Element i of the Cornell mix. */
+void place_in_cornell(uint64_t *state, size_t i, struct light *light);
 
 /* How many elements of the Cornell mix are in each psc_case. */
 void count_cornell(size_t counts[6]);
@@ -58,6 +79,8 @@ struct job {
     const char *how;    /* which calls, or the instruction set of the loop */
     int which, bits;
     size_t (*run)(struct job *job); /* returns the number of samples */
+    const struct shape *shape;
+    int numbers; /* of its geometry */
     psc_technique technique;
     const struct psc_variant *variant;
     size_t turn; /* which light is next */
@@ -85,7 +108,8 @@ double time_job(struct job *job);
 /* Runs every job in each round, in turns; fills the medians. 0 if memory runs out. */
 int measure_jobs(size_t rounds);
 
-/* The median of a job, or 0 if there is none such; how NULL: of the fastest way. */
+/* The median of a job, or 0 if there is none such; how NULL: of the fastest way. A rival that
+   needs double precision has one median for both. */
 double median_of(enum regime regime, const char *method, const char *how, int which, int bits);
 
 /* ---- CDF errors: errors.c ---- */
@@ -97,6 +121,7 @@ struct cdf_error {
     double paper, library;
 };
 
+/* Of two maps, in both precisions, for the cases of spheres before the mix. */
 enum { CDF_ERRORS = 2 * 2 * CASE_CORNELL };
 
 extern struct cdf_error cdf_errors[CDF_ERRORS];

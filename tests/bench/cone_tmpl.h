@@ -9,8 +9,9 @@ struct FN(cone) {
 };
 
 static inline int FN(cone_build)(struct FN(cone) *c, const real position[3], const real normal[3],
-                                 const real center[3], real radius)
+                                 const real *light) /* center, radius */
 {
+    const real *const center = light, radius = light[3];
     const real w[3] = {center[0] - position[0], center[1] - position[1],
                        center[2] - position[2]};
     const real d2 = FN(dot)(w, w), inverse = R(1) / sqrt(d2);

@@ -26,7 +26,7 @@ static void FN(measure)(struct cdf_error *e, int parallel)
     for (i = 0; i < s->count; i++) {
         const real p[3] = {s->position[0][i], s->position[1][i], s->position[2][i]};
         const real n[3] = {s->normal[0][i], s->normal[1][i], s->normal[2][i]};
-        const real c[3] = {s->center[0][i], s->center[1][i], s->center[2][i]};
+        const real c[4] = {s->light[0][i], s->light[1][i], s->light[2][i], s->light[3][i]};
         const double position[3] = {p[0], p[1], p[2]}, normal[3] = {n[0], n[1], n[2]};
         const double center[3] = {c[0], c[1], c[2]};
         const psc_receiver receiver = make_receiver(position, normal, 0);
@@ -34,12 +34,12 @@ static void FN(measure)(struct cdf_error *e, int parallel)
         struct FN(paper) paper;
         real direction[3], pdf;
 
-        psc_build_sphere(sampler, &technique, &receiver, center, s->radius[i]);
+        psc_build_sphere(sampler, &technique, &receiver, center, (double)c[3]);
         FN(psc_sample)(sampler, s->u[i], s->v[i], &sample);
         e->library = MAX(e->library, FN(error)(sampler, sample.direction, s->v[i]));
-        if (parallel && FN(parallel_build)(&paper, p, n, c, s->radius[i]))
+        if (parallel && FN(parallel_build)(&paper, p, n, c))
             FN(parallel_sample)(&paper, s->u[i], s->v[i], direction, &pdf);
-        else if (!parallel && FN(radial_build)(&paper, p, n, c, s->radius[i]))
+        else if (!parallel && FN(radial_build)(&paper, p, n, c))
             FN(radial_sample)(&paper, s->u[i], s->v[i], direction, &pdf);
         else
             memset(direction, 0, sizeof direction);

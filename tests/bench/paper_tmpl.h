@@ -147,8 +147,9 @@ static inline real FN(newton_binary)(const struct FN(paper) *p, real u, real top
 
 /* 0 if nothing is above the horizon. The normal is a unit vector. */
 static inline int FN(paper_build)(struct FN(paper) *p, const real position[3],
-                                  const real normal[3], const real center[3], real radius)
+                                  const real normal[3], const real *light) /* center, radius */
 {
+    const real *const center = light, radius = light[3];
     const real w[3] = {center[0] - position[0], center[1] - position[1],
                        center[2] - position[2]};
     const real inverse = R(1) / sqrt(FN(dot)(w, w));
@@ -187,9 +188,9 @@ static inline int FN(paper_build)(struct FN(paper) *p, const real position[3],
 }
 
 static inline int FN(radial_build)(struct FN(paper) *p, const real position[3],
-                                   const real normal[3], const real center[3], real radius)
+                                   const real normal[3], const real *light)
 {
-    if (!FN(paper_build)(p, position, normal, center, radius))
+    if (!FN(paper_build)(p, position, normal, light))
         return 0;
     if (!p->ellipse)
         p->beyond = FN(circle_sector)(p, p->phi_l) - FN(ellipse_sector)(p, p->phi_l);
@@ -198,9 +199,9 @@ static inline int FN(radial_build)(struct FN(paper) *p, const real position[3],
 }
 
 static inline int FN(parallel_build)(struct FN(paper) *p, const real position[3],
-                                     const real normal[3], const real center[3], real radius)
+                                     const real normal[3], const real *light)
 {
-    if (!FN(paper_build)(p, position, normal, center, radius))
+    if (!FN(paper_build)(p, position, normal, light))
         return 0;
     if (!p->ellipse)
         p->beyond = FN(circle_slice)(p, p->yl) - FN(ellipse_slice)(p, p->yl);

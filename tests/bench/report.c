@@ -3,18 +3,24 @@
 
 #include <string.h>
 
+static const struct bench_family *family_of(int which)
+{
+    return &bench_families[bench_cases[which].family];
+}
+
+static int counts_builds(enum regime regime)
+{
+    return regime == REGIME_FOUR || regime == REGIME_ONE;
+}
+
 /* What the figures of a regime are compared with. */
 static double baseline(const struct job *j)
 {
-    if (j->regime == REGIME_FOUR || j->regime == REGIME_ONE)
-        return median_of(j->regime, "cone", "libm", j->which, j->bits);
-    return median_of(j->regime, "cone", variant_name(variant_best()), j->which, j->bits);
-}
+    const struct bench_family *f = family_of(j->which);
 
-static const char *baseline_text(enum regime regime)
-{
-    return regime == REGIME_FOUR || regime == REGIME_ONE ? "cone sampling with libm"
-                                                         : "the library's own cone sampling";
+    return median_of(j->regime, f->baseline,
+                     counts_builds(j->regime) ? f->baseline_how : variant_name(variant_best()),
+                     j->which, j->bits);
 }
 
 static void print_machine(FILE *to, const struct machine *machine, size_t rounds)
@@ -31,34 +37,38 @@ static void print_machine(FILE *to, const struct machine *machine, size_t rounds
     fprintf(to, "rounds:   %zu, medians of CPU time, ns per sample with direction and pdf\n",
             rounds);
     for (v = 0; v < CASES; v++)
-        fprintf(to, "%-9s %s\n", bench_cases[v].name, bench_cases[v].text);
+        if (family_shape(bench_cases[v].family))
+            fprintf(to, "%-10s %s\n", bench_cases[v].name, bench_cases[v].text);
     count_cornell(counts);
-    fprintf(to, "          %zu elements: %zu below the horizon, %zu ellipse, %zu ellipse and "
+    fprintf(to, "cornell:  %zu elements: %zu below the horizon, %zu ellipse, %zu ellipse and "
                 "lune, %zu lune, %zu inside\n",
             stages_f64[CASE_CORNELL].count, counts[PSC_CASE_EMPTY], counts[PSC_CASE_ELLIPSE],
             counts[PSC_CASE_ELLIPSE_AND_LUNE], counts[PSC_CASE_LUNE], counts[PSC_CASE_INSIDE]);
 }
 
 /* Rows of a table are neighbours in the list of jobs. */
-static void print_table(FILE *to, enum regime regime, int bits)
+static void print_table(FILE *to, enum family family, enum regime regime, int bits)
 {
+    const struct bench_family *f = &bench_families[family];
     const char *method = "", *how = "";
     size_t i;
     int c;
 
-    fprintf(to, "\n%s, f%d: ns per sample, times %s\n\n%-24s", regime_texts[regime], bits,
-            baseline_text(regime), "");
-    for (c = 0; c < (regime == REGIME_MANY ? CASE_CORNELL : CASES); c++)
-        fprintf(to, "%14s", bench_cases[c].name);
+    fprintf(to, "\n%ss, %s, f%d: ns per sample, times %s (%s)\n\n%-32s", f->shape,
+            regime_texts[regime], bits, f->text, counts_builds(regime) ? f->baseline_how : "library",
+            "");
+    for (c = 0; c < CASES; c++)
+        if (bench_cases[c].family == family && !(c == CASE_CORNELL && regime == REGIME_MANY))
+            fprintf(to, "%14s", bench_cases[c].name);
     for (i = 0; i < job_count; i++) {
         const struct job *j = &jobs[i];
         char label[64];
 
-        if (j->regime != regime || j->bits != bits)
+        if (j->regime != regime || j->bits != bits || bench_cases[j->which].family != family)
             continue;
         if (strcmp(method, j->method) != 0 || strcmp(how, j->how) != 0) {
             snprintf(label, sizeof label, "%s, %s", j->method, j->how);
-            fprintf(to, "\n%-24s", label);
+            fprintf(to, "\n%-32s", label);
             method = j->method;
             how = j->how;
         }
@@ -87,13 +97,15 @@ static void print_errors(FILE *to)
 
 void print_tables(FILE *to, const struct machine *machine, size_t rounds)
 {
+    enum family family;
     enum regime regime;
     int bits;
 
     print_machine(to, machine, rounds);
-    for (regime = REGIME_MANY; regime < REGIMES; regime++)
-        for (bits = 64; bits >= 32; bits -= 32)
-            print_table(to, regime, bits);
+    for (family = FAMILY_SPHERE; family < FAMILIES; family++)
+        for (regime = REGIME_MANY; regime < REGIMES; regime++)
+            for (bits = 64; bits >= 32 && family_shape(family); bits -= 32)
+                print_table(to, family, regime, bits);
     print_errors(to);
     print_bars(to);
 }
@@ -122,9 +134,9 @@ void print_json(FILE *to, const struct machine *machine, size_t rounds)
     for (i = 0; i < job_count; i++) {
         const struct job *j = &jobs[i];
 
-        fprintf(to, "%s\n  {\"regime\": \"%s\", \"method\": \"%s\", \"how\": \"%s\", "
+        fprintf(to, "%s\n  {\"shape\": \"%s\", \"regime\": \"%s\", \"method\": \"%s\", \"how\": \"%s\", "
                     "\"case\": \"%s\", \"bits\": %d, \"ns\": %.4g, \"quartiles\": [%.4g, %.4g]}",
-                i ? "," : "", regime_names[j->regime], j->method, j->how,
+                i ? "," : "", j->shape->name, regime_names[j->regime], j->method, j->how,
                 bench_cases[j->which].name, j->bits, j->median, j->low, j->high);
     }
     fputs("],\n\"cdf_errors\": [", to);

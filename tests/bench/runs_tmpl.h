@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * One run of each kind of job: direction and density of each sample go to separate arrays.
- * Template: see real.h.
+ * One run of each kind of job of the library: direction and density of each sample go to separate
+ * arrays. Template: see real.h.
  */
+#undef STAGE_OF
 #define STAGE_OF(job) (&FN(stages)[(job)->which])
 
 static inline void FN(element)(real (*const from)[STAGE_MAX + 40], size_t i, real to[3])
@@ -20,6 +21,11 @@ static inline void FN(put)(struct FN(stage) *s, size_t i, const real direction[3
     s->pdf[i] = pdf;
 }
 
+static inline size_t FN(per_build)(const struct job *job, const struct FN(stage) *s)
+{
+    return job->regime == REGIME_MANY ? s->count : job->regime == REGIME_FOUR ? 4 : 1;
+}
+
 /* ---- The floor ---- */
 
 static size_t FN(run_copy)(struct job *job)
@@ -30,60 +36,9 @@ static size_t FN(run_copy)(struct job *job)
 
     for (c = 0; c < 3; c++)
         memcpy(s->direction[c], s->position[c], bytes);
-    memcpy(s->pdf, s->radius, bytes);
+    memcpy(s->pdf, s->light[3], bytes);
     return s->count;
 }
-
-/* ---- Rivals: a type, its build and its sample, per samples of one build ---- */
-
-static inline size_t FN(per_build)(const struct job *job, const struct FN(stage) *s)
-{
-    return job->regime == REGIME_MANY ? s->count : job->regime == REGIME_FOUR ? 4 : 1;
-}
-
-#define RIVAL(name, type, build, sample)                                                     \
-    static size_t FN(name)(struct job *job)                                                  \
-    {                                                                                        \
-        struct FN(stage) *s = STAGE_OF(job);                                                 \
-        const size_t per = FN(per_build)(job, s);                                            \
-        size_t i, j;                                                                         \
-                                                                                             \
-        for (i = 0; i < s->count; i += per) {                                                \
-            const size_t from = per < s->count ? i : job->turn++ % s->count;                 \
-            struct FN(type) built;                                                           \
-            real position[3], normal[3], center[3], direction[3], pdf;                       \
-                                                                                             \
-            FN(element)(s->position, from, position);                                        \
-            FN(element)(s->normal, from, normal);                                            \
-            FN(element)(s->center, from, center);                                            \
-            if (FN(build)(&built, position, normal, center, s->radius[from]))                \
-                for (j = i; j < i + per; j++) {                                              \
-                    FN(sample)(&built, s->u[j], s->v[j], direction, &pdf);                   \
-                    FN(put)(s, j, direction, pdf);                                           \
-                }                                                                            \
-        }                                                                                    \
-        return s->count;                                                                     \
-    }
-
-/* Point, normal and distance go to a record, as psc_sample puts them. */
-static struct FN(hit) {
-    real point[3], normal[3], distance;
-} FN(hits)[STAGE_MAX];
-
-static inline void FN(cone_hit_sample)(const struct FN(cone) *c, real u, real v, real direction[3],
-                                       real *pdf)
-{
-    static size_t turn;
-    struct FN(hit) *hit = &FN(hits)[turn++ % STAGE_MAX];
-
-    FN(cone_hit)(c, u, v, direction, pdf, hit->point, hit->normal, &hit->distance);
-}
-
-RIVAL(run_cone, cone, cone_build, cone_sample)
-RIVAL(run_cone_hit, cone, cone_build, cone_hit_sample)
-RIVAL(run_paper_radial, paper, radial_build, radial_sample)
-RIVAL(run_paper_parallel, paper, parallel_build, parallel_sample)
-#undef RIVAL
 
 /* ---- The library ---- */
 
@@ -92,10 +47,13 @@ static inline psc_result FN(build)(struct job *job, const struct FN(stage) *s, s
 {
     const double position[3] = {s->position[0][i], s->position[1][i], s->position[2][i]};
     const double normal[3] = {s->normal[0][i], s->normal[1][i], s->normal[2][i]};
-    const double center[3] = {s->center[0][i], s->center[1][i], s->center[2][i]};
     const psc_receiver receiver = {sizeof receiver, 0, position, normal};
+    double light[LIGHT_MAX];
+    int c;
 
-    return psc_build_sphere(sampler, &job->technique, &receiver, center, s->radius[i]);
+    for (c = 0; c < job->numbers; c++)
+        light[c] = s->light[c][i];
+    return job->shape->build(sampler, &job->technique, &receiver, light);
 }
 
 static size_t FN(run_calls)(struct job *job)
@@ -155,14 +113,19 @@ static size_t FN(run_wavefront)(struct job *job)
 {
     struct FN(stage) *s = STAGE_OF(job);
     const FN(psc_input) uv = FN(input)(s->u, s->v, NULL);
-    const FN(psc_input) center = FN(input)(s->center[0], s->center[1], s->center[2]);
-    const FN(psc_input) radius = FN(input)(s->radius, NULL, NULL);
     const FN(psc_samples) out = FN(outputs)(s, 0);
     FN(psc_receivers) receivers = {.struct_size = sizeof receivers};
+    FN(psc_input) parts[PARTS_MAX];
+    const FN(psc_input) *in[PARTS_MAX];
+    int k, at = 0;
 
+    for (k = 0; job->shape->parts[k]; k++) {
+        parts[k] = FN(input)(s->light[at], s->light[at + 1], s->light[at + 2]);
+        in[k] = parts + k;
+        at += part_size(job->shape->parts[k]);
+    }
     receivers.position = FN(input)(s->position[0], s->position[1], s->position[2]);
     receivers.normal = FN(input)(s->normal[0], s->normal[1], s->normal[2]);
-    FN(psc_sphere_sample_n)(&job->technique, s->count, &receivers, &center, &radius, &uv, &out);
+    job->shape->FN(wave)(&job->technique, s->count, &receivers, in, &uv, &out);
     return s->count;
 }
-#undef STAGE_OF
