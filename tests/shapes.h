@@ -28,6 +28,10 @@ struct shape {
     const char *parts;
     int flat;                                /* a surface with two sides, not a closed one */
     const struct test_technique *techniques; /* all that are offered; the last has no name */
+    /* How often a sample may jump, of paths that a receiver takes: 0 for lights that say where the
+       maps begin. The axes of a cone do not: on a way around a receiver that sees it circular
+       they come back reversed, so that no rule for them is without a jump. */
+    double jumps;
 
     /* The public calls. The geometry is the numbers of all parts, `in` has an input for each part;
        where they are vertices in one array, in[0] is that array. SHAPE_WAVES writes the waves. */

@@ -176,7 +176,7 @@ static void ellipse_texture(const double *g, const double st[2], double point[3]
 }
 
 const struct shape shape_ellipse = {
-    .name = "ellipse", .shape = PSC_SHAPE_ELLIPSE, .parts = "pee", .flat = 1,
+    .name = "ellipse", .shape = PSC_SHAPE_ELLIPSE, .parts = "pee", .flat = 1, .jumps = 0.02,
     .techniques = flat_techniques, .build = ellipse_build,
     .wave_f32 = ellipse_wave_f32, .wave_f64 = ellipse_wave_f64,
     .solid_angle = ellipse_solid_angle, .make = ellipse_make, .hit = ellipse_hit,
@@ -270,7 +270,7 @@ static const struct test_technique solid_techniques[] = {
 };
 
 const struct shape shape_ellipsoid = {
-    .name = "ellipsoid", .shape = PSC_SHAPE_ELLIPSOID, .parts = "peee",
+    .name = "ellipsoid", .shape = PSC_SHAPE_ELLIPSOID, .parts = "peee", .jumps = 0.1,
     .techniques = solid_techniques, .build = ellipsoid_build,
     .wave_f32 = ellipsoid_wave_f32, .wave_f64 = ellipsoid_wave_f64,
     .solid_angle = ellipsoid_solid_angle, .make = ellipsoid_make, .hit = ellipsoid_hit,
