@@ -18,6 +18,8 @@ static const psc_api_1 api = {
     psc_build_ellipse,
     psc_build_ellipsoid,
     psc_build_triangle,
+    psc_build_rectangle,
+    psc_build_polygon,
     psc_sample_f64,
     psc_sample_f32,
     psc_pdf_f64,
@@ -40,6 +42,12 @@ static const psc_api_1 api = {
     psc_ellipse_sample_n_f32,
     psc_ellipsoid_sample_n_f64,
     psc_ellipsoid_sample_n_f32,
+    psc_triangle_sample_n_f64,
+    psc_triangle_sample_n_f32,
+    psc_rectangle_sample_n_f64,
+    psc_rectangle_sample_n_f32,
+    psc_polygon_sample_n_f64,
+    psc_polygon_sample_n_f32,
     psc_sampler_describe,
     psc_sampler_total,
     psc_sampler_solid_angle,
@@ -54,6 +62,8 @@ static const psc_api_1 api = {
     psc_ellipse_solid_angle,
     psc_ellipsoid_solid_angle,
     psc_triangle_solid_angle,
+    psc_rectangle_solid_angle,
+    psc_polygon_solid_angle,
 };
 
 psc_result psc_get_api(uint32_t version, void *table, size_t size)

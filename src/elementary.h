@@ -31,13 +31,22 @@ PSC_LANE double twice_atan(double t)
     return 2.0 * t * (1.0 - z * atan_polynomial(z));
 }
 
-/* The angle in [0, pi] of the vector (c, s), s >= 0, of any length but 0. */
-PSC_LANE double angle_of(double c, double s)
+/* The angle in [0, pi] of the vector (c, s), s >= 0, of any length but 0, and what it lacks of
+   pi, both accurate relative to themselves. */
+PSC_LANE double angle_and_rest(double c, double s, double *rest)
 {
     const double m = SQRT(s * s + c * c) + ABS(c);
-    const double half = twice_atan(s / (m > 0.0 ? m : 1.0));
+    const double small = twice_atan(s / (m > 0.0 ? m : 1.0)), large = PSC_PI - small;
 
-    return c >= 0.0 ? half : PSC_PI - half;
+    *rest = c >= 0.0 ? large : small;
+    return c >= 0.0 ? small : large;
+}
+
+PSC_LANE double angle_of(double c, double s)
+{
+    double rest;
+
+    return angle_and_rest(c, s, &rest);
 }
 
 /* The cube root of r in [0, 1e300] to 2.1e-5 relative, for starting values; the root of 1e-200

@@ -14,7 +14,7 @@
 
 /* X is a number, V a vector. Lengths are in units of the view. */
 #define PSC_FAN_FIELDS(X, V)                                                          \
-    X(half) /* half the solid angle */                                                \
+    X(half) X(rest) /* half the solid angle, and what it lacks of pi */               \
     X(sin_a) X(cos_a) /* of alpha */                                                  \
     X(sin_rest) /* of alpha - half */                                                 \
     X(grow) /* a power of two that keeps squares clear of the subnormal numbers */    \
@@ -82,10 +82,9 @@ PSC_LANE struct psc_face_f32 psc_face_round(const struct psc_face_f64 *from)
 }
 
 /* For the area maps, which are computed in double: b and the edges to A and C in the view, and
-   their heights above the receiver's plane. */
+   the receiver's normal. */
 struct psc_flat {
-    double b[3], edge_a[3], edge_c[3];
-    double height, height_a, height_c;
+    double b[3], low[3], edge_a[3], edge_c[3], up[3];
 };
 
 /* A sampled direction in the frame at B. */

@@ -35,10 +35,10 @@ struct psc_triangle_view {
     double cos_ab, cos_bc;
     double more_ab, less_ab, more_ac; /* 1 + cos and 1 - cos of sides, none of them cancelled */
     double sin_ab, sin_ac;
-    double normal[3];                 /* (c - b) x (a - b) */
+    double normal[3], twice_area;     /* (c - b) x (a - b), and its length */
     double volume;                    /* a . (b x c): six times that of the tetrahedron */
     double sine;                      /* |volume| / (|a| |b| |c|) */
-    double half;                      /* half the solid angle; 0 when nothing is seen */
+    double half, rest;                /* half the solid angle, 0 when nothing is seen; pi - half */
     double cosine;                    /* D below: half is the angle of (cosine, sine) */
 };
 
@@ -74,6 +74,9 @@ PSC_LANE void see_volume(const struct psc_word2 *b, const struct psc_word2 *edge
         error += b->high[i] * low[i] + b->low[i] * o->normal[i];
     }
     o->volume = sum + error;
+    for (i = 0; i < 3; i++)
+        o->normal[i] += low[i];
+    o->twice_area = SQRT(dot(o->normal, o->normal));
 }
 
 /*
@@ -124,7 +127,7 @@ PSC_LANE void see_triangle(const struct psc_triangle_words *words, struct psc_tr
     o->cosine = opposite ? at_b : at_a;
     /* In the plane, or at a vertex, where lengths are 0 and the quotients no numbers. */
     seen = (o->sine > 0.0) & (o->sin_ab > 0.0) & (o->sin_ac > 0.0) & (o->sine <= DBL_MAX);
-    o->half = seen ? angle_of(seen ? o->cosine : 1.0, seen ? o->sine : 0.0) : 0.0;
+    o->half = angle_and_rest(seen ? o->cosine : 1.0, seen ? o->sine : 0.0, &o->rest);
 }
 
 /* The constants of the map; heights of the vertices are above the receiver's plane. */
@@ -138,6 +141,7 @@ PSC_LANE void fan_build(const struct psc_triangle_view *o, const struct psc_word
     int i;
 
     f->half = o->half;
+    f->rest = o->rest;
     f->sin_a = o->sine * per_sines;
     f->cos_a = dot(o->ab, o->ac) * per_sines;
     /* sin alpha cos half - cos alpha sin half, of which the cosine's second term cancels */

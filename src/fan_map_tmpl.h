@@ -3,13 +3,10 @@
    precision.h. */
 
 #undef SHARE_MAX
-#undef PI_LOW /* pi less its rounding */
 #if PSC_BITS == 64
 #define SHARE_MAX 0x1p300
-#define PI_LOW 1.2246467991473532e-16
 #else
 #define SHARE_MAX 0x1p60f
-#define PI_LOW -8.7422777e-8f
 #endif
 
 /*
@@ -30,7 +27,7 @@
 PSC_LANE void FN(fan_map)(const struct FN(psc_fan) *f, real u, real v, struct FN(psc_spot) *p)
 {
     const real x = u * f->half;
-    const real rest = (K(3.14159265358979323846) - x) + PI_LOW;
+    const real rest = f->rest + (K(1.0) - u) * f->half; /* pi - x */
     const int obtuse = rest < x;
     real sine_defect, cosine_defect, sine, cosine, sine_rest, cosine_rest;
     real s, c, square, inverse, away, stay, radius;
@@ -47,7 +44,11 @@ PSC_LANE void FN(fan_map)(const struct FN(psc_fan) *f, real u, real v, struct FN
     inverse = K(1.0) / (square + f->gap);
     away = square * inverse;
     stay = (K(1.0) - v) + v * (f->gap * inverse);
+#if PSC_BITS == 64
     radius = K(2.0) * SQRT(v * stay * inverse);
+#else
+    radius = K(2.0) * (SQRT(v * stay) * SQRT(inverse)); /* float does not hold their product */
+#endif
     p->b = K(1.0) - K(2.0) * v * away;
     p->a = radius * c;
     p->c = radius * s;

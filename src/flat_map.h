@@ -12,6 +12,22 @@ struct psc_flat_point {
     double share[3], direction[3], distance, height, pdf, inverse;
 };
 
+/* start + s first + t second for start in two words, to rounding of the result: the receiver may
+   be much closer to the point than to the corners of the light. */
+PSC_LANE void point_between(const double start[3], const double low[3], const double first[3],
+                            const double second[3], double s, double t, double to[3])
+{
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        double high = start[i], error = low[i];
+
+        add_product(s, first[i], &high, &error);
+        add_product(t, second[i], &high, &error);
+        to[i] = high + error;
+    }
+}
+
 /* u is the fraction of the edge from A to C, v that of the area on the side of B. The density is
    t^2 / (area |cos|), where |cos| is the height of the receiver above the light's plane over the
    distance t. volume is twice that height times the area. */
@@ -23,8 +39,7 @@ PSC_LANE void flat_map(const struct psc_flat *f, double volume, double u, double
     double d[3], t, inverse, cube;
     int i;
 
-    for (i = 0; i < 3; i++)
-        d[i] = f->b[i] + (a * f->edge_a[i] + c * f->edge_c[i]);
+    point_between(f->b, f->low, f->edge_a, f->edge_c, a, c, d);
     t = __builtin_sqrt(dot(d, d));
     inverse = 1.0 / t;
     cube = 2.0 * (t * t * t);
@@ -34,7 +49,7 @@ PSC_LANE void flat_map(const struct psc_flat *f, double volume, double u, double
     p->share[1] = b;
     p->share[2] = c;
     p->distance = t;
-    p->height = ((a * f->height_a + b * f->height) + c * f->height_c) * inverse;
+    p->height = dot(f->up, d) * inverse;
     p->pdf = cube / volume;
     p->inverse = volume / cube;
 }

@@ -43,46 +43,6 @@ PSC_LANE double height_of(const double n[3], double shrink, const double high[3]
     return (sum + (error + dot(n, low))) * shrink;
 }
 
-/* The triangle of a view's vertices a, b, c, and their places on the light's surface. */
-struct psc_fan_vertices {
-    int a, b, c;
-};
-
-/* The constants in world space. */
-PSC_LANE void face_build(const double *vertices, const double (*surface)[2],
-                         const struct psc_fan_vertices *at, struct psc_face_f64 *to)
-{
-    int i;
-
-    for (i = 0; i < 3; i++) {
-        to->pivot[i] = vertices[3 * at->b + i];
-        to->edge_a[i] = vertices[3 * at->a + i] - vertices[3 * at->b + i];
-        to->edge_c[i] = vertices[3 * at->c + i] - vertices[3 * at->b + i];
-    }
-    to->s_a = surface[at->a][0];
-    to->t_a = surface[at->a][1];
-    to->s_b = surface[at->b][0];
-    to->t_b = surface[at->b][1];
-    to->s_c = surface[at->c][0];
-    to->t_c = surface[at->c][1];
-}
-
-/* Those of the area map. */
-PSC_LANE void flat_build(const struct psc_triangle_words *o, const double *height,
-                         const struct psc_fan_vertices *at, struct psc_flat *to)
-{
-    int i;
-
-    for (i = 0; i < 3; i++) {
-        to->b[i] = o->b.high[i];
-        to->edge_a[i] = o->edge_a.high[i];
-        to->edge_c[i] = o->edge_c.high[i];
-    }
-    to->height_a = height[at->a];
-    to->height = height[at->b];
-    to->height_c = height[at->c];
-}
-
 /* The receiver's plane: heights of the vertices, and where the light lies to it. */
 PSC_LANE psc_case see_horizon(const double *normal, const struct psc_polygon_view *view,
                               double up[3], double *height)
@@ -109,77 +69,229 @@ PSC_LANE psc_case see_horizon(const double *normal, const struct psc_polygon_vie
     return above & below ? PSC_CASE_CLIPPED : above ? PSC_CASE_ABOVE : PSC_CASE_EMPTY;
 }
 
-/*
- * Builds a light from its vertices and the triangles of its fan. front is the sign of a
- * triangle's volume for a receiver that the light's normal points to.
- */
-PSC_LANE psc_result polygon_build(psc_sampler *s, const struct psc_request *request, int count,
-                                  const double *vertices, const double (*surface)[2],
-                                  int triangles, const struct psc_fan_vertices *fan, double front)
+/* Sums over the triangles of a fan. */
+struct psc_fan_sums {
+    double normal[3], volume, half, twice_area, parts;
+};
+
+/* B in world space, its height above the receiver's plane, and the coordinates of the vertices on
+   the light's surface. */
+struct psc_fan_places {
+    const double *pivot;
+    double height_b;
+    double s_a, t_a, s_b, t_b, s_c, t_c;
+};
+
+/* Adds a triangle to the fan, unless nothing is seen of it. */
+PSC_LANE void fan_add(struct psc_polygon_light *l, int area, const struct psc_triangle_words *w,
+                      const struct psc_fan_places *at, struct psc_fan_sums *sums)
+{
+    const double unit = 1.0 / l->view.scale;
+    struct psc_face_f64 *face = l->face + l->triangles;
+    struct psc_triangle_view seen;
+    double part;
+    int i;
+
+    see_triangle(w, &seen);
+    for (i = 0; i < 3; i++)
+        sums->normal[i] += seen.normal[i];
+    sums->twice_area += seen.twice_area;
+    if (!(seen.half > 0.0))
+        return;
+    sums->volume += seen.volume;
+    sums->half += seen.half;
+    fan_build(&seen, &w->b, &w->edge_c, l->up, at->height_b, l->fan + l->triangles);
+    for (i = 0; i < 3; i++) {
+        face->pivot[i] = at->pivot[i];
+        face->edge_a[i] = w->edge_a.high[i] * unit;
+        face->edge_c[i] = w->edge_c.high[i] * unit;
+    }
+    face->s_a = at->s_a;
+    face->t_a = at->t_a;
+    face->s_b = at->s_b;
+    face->t_b = at->t_b;
+    face->s_c = at->s_c;
+    face->t_c = at->t_c;
+    if (area) {
+        struct psc_flat *flat = l->flat + l->triangles;
+
+        for (i = 0; i < 3; i++) {
+            flat->b[i] = w->b.high[i];
+            flat->low[i] = w->b.low[i];
+            flat->up[i] = l->up[i];
+            flat->edge_a[i] = w->edge_a.high[i];
+            flat->edge_c[i] = w->edge_c.high[i];
+        }
+    }
+    part = area ? seen.twice_area : seen.half;
+    l->below[l->triangles] = sums->parts;
+    l->per_share[l->triangles] = part;
+    sums->parts += part;
+    l->triangles++;
+}
+
+/* What is left when all triangles are there. front is the sign of the volume for a receiver that
+   the light's normal points to. */
+PSC_LANE psc_result polygon_finish(psc_sampler *s, const struct psc_request *request,
+                                   const struct psc_fan_sums *sums, double front)
 {
     struct psc_polygon_light *l = &s->polygon;
-    const int area = request->measure == PSC_MEASURE_AREA;
-    double normal[3] = {0.0, 0.0, 0.0}, sum = 0.0, volume = 0.0, half = 0.0, twice = 0.0, length;
-    int i, c;
+    const double unit = 1.0 / l->view.scale;
+    double length;
+    int i;
 
-    if (!see_polygon(request->position, count, vertices, &l->view))
-        return PSC_ERROR_NOT_FINITE;
-    s->visibility = see_horizon(request->normal, &l->view, l->up, l->height);
-    l->triangles = 0;
-    for (i = 0; i < triangles; i++) {
-        const int k = l->triangles;
-        struct psc_triangle_words words;
-        struct psc_triangle_view view;
-        double size, part;
-
-        triangle_words(&l->view, vertices, fan[i].a, fan[i].b, fan[i].c, &words);
-        see_triangle(&words, &view);
-        size = SQRT(dot(view.normal, view.normal));
-        part = area ? size : view.half;
-        if (!(view.half > 0.0))
-            continue;
-        fan_build(&view, &words.b, &words.edge_c, l->up, l->height[fan[i].b], l->fan + k);
-        if (area)
-            flat_build(&words, l->height, fan + i, l->flat + k);
-        face_build(vertices, surface, fan + i, l->face + k);
-        for (c = 0; c < 3; c++)
-            normal[c] += view.normal[c];
-        l->below[k] = sum;
-        l->per_share[k] = part;
-        sum += part;
-        volume += view.volume;
-        half += view.half;
-        twice += size;
-        l->triangles = k + 1;
-    }
-    if (!(volume != 0.0) || (request->one_sided && volume * front < 0.0) ||
+    if (!(sums->volume != 0.0) || (request->one_sided && sums->volume * front < 0.0) ||
         (s->visibility == PSC_CASE_EMPTY && s->facing == PSC_FACING_ONE))
         return PSC_EMPTY;
-    for (i = 0; i < l->triangles; i++) {
-        l->below[i] /= sum;
-        l->per_share[i] = MIN(sum / l->per_share[i], 0x1p96); /* nothing falls to less */
+    for (i = 0; l->triangles > 1 && i < l->triangles; i++) {
+        l->below[i] /= sums->parts;
+        /* Nothing falls to a share smaller than that. */
+        l->per_share[i] = MIN(sums->parts / l->per_share[i], 0x1p96);
     }
-    length = -front / SQRT(dot(normal, normal));
-    for (c = 0; c < 3; c++)
-        l->normal[c] = normal[c] * length;
-    l->volume = ABS(volume);
-    l->solid_angle = 2.0 * half;
-    l->area = 0.5 * twice / l->view.scale / l->view.scale;
-    s->total = area ? l->area : l->solid_angle;
+    length = -front / SQRT(dot(sums->normal, sums->normal));
+    for (i = 0; i < 3; i++)
+        l->normal[i] = sums->normal[i] * length;
+    l->volume = ABS(sums->volume);
+    l->solid_angle = 2.0 * sums->half;
+    l->area = 0.5 * sums->twice_area * unit * unit;
+    s->total = s->measure == PSC_MEASURE_AREA ? l->area : l->solid_angle;
     s->sides = 1;
     s->split = 1.0;
     return PSC_SUCCESS;
 }
+
+#define NO_SUMS {{0.0, 0.0, 0.0}, 0.0, 0.0, 0.0, 0.0}
 
 /* A triangle (v0, v1, v2) has A, B and C in that order, and is seen from its front where its
    volume is negative. */
 PSC_LANE psc_result triangle_build(psc_sampler *s, const struct psc_request *request,
                                    const double *vertices)
 {
-    static const double surface[3][2] = {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}};
-    static const struct psc_fan_vertices fan = {0, 1, 2};
+    struct psc_polygon_light *l = &s->polygon;
+    struct psc_fan_places at = {vertices + 3, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0};
+    struct psc_fan_sums sums = NO_SUMS;
+    struct psc_triangle_words words;
 
-    return polygon_build(s, request, 3, vertices, surface, 1, &fan, -1.0);
+    if (!see_polygon(request->position, 3, vertices, &l->view))
+        return PSC_ERROR_NOT_FINITE;
+    s->visibility = see_horizon(request->normal, &l->view, l->up, l->height);
+    triangle_words(&l->view, vertices, 0, 1, 2, &words);
+    at.height_b = l->height[1];
+    l->triangles = 0;
+    fan_add(l, s->measure == PSC_MEASURE_AREA, &words, &at, &sums);
+    return polygon_finish(s, request, &sums, -1.0);
+}
+
+/* ---- Polygons ---- */
+
+/* How far vertices may be off one plane, in units of the polygon's extent, and how far edges may
+   turn back, as a sine. */
+#define PSC_POLYGON_TOLERANCE 1e-6
+
+/* One plane, and convex: no corner turns back, and the fan about the first vertex neither, nor
+   past half a turn. Twice the area is 0 without an error. */
+PSC_LANE psc_result check_polygon(const struct psc_polygon_view *view, const double *vertices)
+{
+    double spoke[PSC_MAX_VERTICES][3], low[3], normal[3] = {0.0, 0.0, 0.0}, across[3], extent = 0.0;
+    const int count = view->count;
+    int i, c;
+
+    for (i = 1; i < count; i++) {
+        edge_of(vertices, vertices + 3 * i, view->scale, spoke[i], low);
+        extent = MAX(extent, largest(spoke[i]));
+    }
+    for (i = 1; i + 1 < count; i++) {
+        cross(spoke[i], spoke[i + 1], across);
+        for (c = 0; c < 3; c++)
+            normal[c] += across[c];
+    }
+    if (!scale_to_one(normal, normal))
+        return PSC_SUCCESS;
+    for (c = 0; c < 3; c++)
+        across[c] = normal[c];
+    for (c = 0; c < 3; c++)
+        normal[c] /= SQRT(dot(across, across));
+    for (i = 1; i < count; i++)
+        if (!(ABS(dot(normal, spoke[i])) <= PSC_POLYGON_TOLERANCE * extent))
+            return PSC_ERROR_NOT_PLANAR;
+    for (c = 0; c < 3; c++)
+        spoke[0][c] = 0.0;
+    for (i = 0; i < count; i++) {
+        const double *const at[3] = {vertices + 3 * i, vertices + 3 * ((i + 1) % count),
+                                     vertices + 3 * ((i + 2) % count)};
+        double first[3], second[3];
+
+        edge_of(at[0], at[1], view->scale, first, low);
+        edge_of(at[1], at[2], view->scale, second, low);
+        cross(first, second, across);
+        if (!(dot(across, normal) >=
+              -PSC_POLYGON_TOLERANCE * SQRT(dot(first, first) * dot(second, second))))
+            return PSC_ERROR_NOT_CONVEX;
+    }
+    for (i = 2; i < count; i++) {
+        double step[3];
+
+        cross(spoke[i - 1], spoke[i], step);
+        cross(spoke[1], spoke[i], across);
+        if (!(dot(step, normal) >= -PSC_POLYGON_TOLERANCE * SQRT(dot(spoke[i - 1], spoke[i - 1]) *
+                                                                 dot(spoke[i], spoke[i]))) ||
+            !(dot(across, normal) >=
+              -PSC_POLYGON_TOLERANCE * SQRT(dot(spoke[1], spoke[1]) * dot(spoke[i], spoke[i]))))
+            return PSC_ERROR_NOT_CONVEX;
+    }
+    return PSC_SUCCESS;
+}
+
+/* Coordinates of v on a surface spanned by two edges of a corner: point = corner + s first +
+   t second; 0 for edges in line. */
+PSC_LANE void surface_places(const double first[3], const double second[3], const double v[3],
+                             double *s, double *t)
+{
+    double normal[3], by_s[3], by_t[3], inverse;
+
+    cross(first, second, normal);
+    cross(v, second, by_s);
+    cross(first, v, by_t);
+    inverse = dot(normal, normal);
+    inverse = inverse > 0.0 ? 1.0 / inverse : 0.0;
+    *s = dot(by_s, normal) * inverse;
+    *t = dot(by_t, normal) * inverse;
+}
+
+/* A fan about the first vertex, seen from its front where volumes are positive. */
+PSC_LANE psc_result polygon_build(psc_sampler *s, const struct psc_request *request,
+                                  const double *vertices)
+{
+    struct psc_polygon_light *l = &s->polygon;
+    const int count = request->numbers / 3, area = s->measure == PSC_MEASURE_AREA;
+    struct psc_fan_sums sums = NO_SUMS;
+    double spoke[PSC_MAX_VERTICES][3], place[PSC_MAX_VERTICES][2], low[3];
+    psc_result result;
+    int i;
+
+    if (!see_polygon(request->position, count, vertices, &l->view))
+        return PSC_ERROR_NOT_FINITE;
+    result = check_polygon(&l->view, vertices);
+    if (result != PSC_SUCCESS)
+        return result;
+    s->visibility = see_horizon(request->normal, &l->view, l->up, l->height);
+    for (i = 1; i < count; i++)
+        edge_of(vertices, vertices + 3 * i, l->view.scale, spoke[i], low);
+    place[1][0] = place[count - 1][1] = 1.0;
+    place[1][1] = place[count - 1][0] = 0.0;
+    for (i = 2; i + 1 < count; i++)
+        surface_places(spoke[1], spoke[count - 1], spoke[i], place[i], place[i] + 1);
+    l->triangles = 0;
+    for (i = 1; i + 1 < count; i++) {
+        const struct psc_fan_places at = {
+            vertices, l->height[0], place[i][0],     place[i][1],
+            0.0,      0.0,          place[i + 1][0], place[i + 1][1]};
+        struct psc_triangle_words words;
+
+        triangle_words(&l->view, vertices, i, 0, i + 1, &words);
+        fan_add(l, area, &words, &at, &sums);
+    }
+    return polygon_finish(s, request, &sums, 1.0);
 }
 
 #endif

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* The kernels of flat lights with straight edges. */
-#include "kernel_tmpl.h"
 #include "flat_map.h"
-#include "polygon_build.h"
+#include "kernel_tmpl.h"
+#include "rectangle_build.h"
 
 #undef PSC_BITS
 #define PSC_BITS 64
@@ -20,5 +20,31 @@
 #include "results_tmpl.h"
 #include "sides_tmpl.h"
 #include "polygon_kernel_tmpl.h"
+#include "polygon_wave_tmpl.h"
 
-PSC_KERNEL(triangle, FN(polygon_sample), FN(polygon_sample_n), NULL, triangle_build, NULL, NULL);
+#if PSC_REAL_BITS == 64
+static psc_result build_triangle(psc_sampler *s, const struct psc_request *request,
+                                 const double *geometry)
+{
+    return triangle_build(s, request, geometry);
+}
+
+static psc_result build_rectangle(psc_sampler *s, const struct psc_request *request,
+                                  const double *geometry)
+{
+    return rectangle_build(s, request, geometry);
+}
+
+static psc_result build_polygon(psc_sampler *s, const struct psc_request *request,
+                                const double *geometry)
+{
+    return polygon_build(s, request, geometry);
+}
+#endif
+
+PSC_KERNEL(triangle, FN(polygon_sample), FN(polygon_sample_n), FN(triangle_wave), build_triangle,
+           NULL, NULL);
+PSC_KERNEL(rectangle, FN(polygon_sample), FN(polygon_sample_n), FN(pending_wave), build_rectangle,
+           NULL, NULL);
+PSC_KERNEL(polygon, FN(polygon_sample), FN(polygon_sample_n), FN(pending_wave), build_polygon, NULL,
+           NULL);

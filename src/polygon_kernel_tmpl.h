@@ -57,7 +57,67 @@ PSC_LANE void FN(area_map)(const struct psc_flat *f, double volume, enum psc_fac
     *weight = (real)(fan_cosine_f64(facing, p.height) * p.inverse);
 }
 
+/* The maps of a rectangle along its edges, in double. */
+PSC_LANE void FN(rectangle_lane)(const struct psc_rectangle *f, const double up[3], int area, double volume, enum psc_facing facing,
+                                 const struct FN(psc_polygon_world) *w, real u, real v,
+                                 real share[2], real direction[3], real *distance, real *pdf,
+                                 real *weight)
+{
+    struct psc_rectangle_point p;
+    double d[3], t, inverse, cosine, cube;
+    int i;
+
+    p.u = (double)u;
+    p.v = (double)v;
+    if (area) {
+        point_between(f->start, f->low, f->along, f->across, p.u, p.v, d);
+    } else {
+        rectangle_map(f, p.u, p.v, &p);
+        rectangle_vector(f, &p, d);
+    }
+    t = __builtin_sqrt(dot(d, d));
+    inverse = 1.0 / t;
+    cosine = fan_cosine_f64(facing, dot(up, d) * inverse);
+    for (i = 0; i < 3; i++)
+        direction[i] = (real)(d[i] * inverse);
+    share[0] = (real)p.u;
+    share[1] = (real)p.v;
+    *distance = (real)t;
+    cube = 2.0 * (t * t * t);
+    *pdf = area ? (real)(cube / volume) : w->pdf;
+    *weight = area ? (real)(cosine * volume / cube) : w->total * (real)cosine;
+}
+
+PSC_LANE void FN(rectangle_point)(const struct psc_rectangle *f, const real share[2],
+                                  real point[3])
+{
+    int i;
+
+    for (i = 0; i < 3; i++)
+        point[i] = (real)f->corner[i] +
+                   (share[0] * (real)f->edge_u[i] + share[1] * (real)f->edge_v[i]);
+}
+
 /* ---- One sample ---- */
+
+static psc_result FN(rectangle_sample)(const psc_sampler *s, real u, real v,
+                                       FN(psc_light_sample) *out)
+{
+    const struct psc_polygon_light *l = &s->polygon;
+    struct FN(psc_polygon_world) w;
+    real distance;
+    int i;
+
+    FN(polygon_world)(s, &w);
+    FN(rectangle_lane)(&l->rectangle, l->up, s->measure == PSC_MEASURE_AREA, l->volume,
+                       w.facing, &w, u, v, out->surface, out->direction, &distance, &out->pdf,
+                       &out->weight);
+    FN(rectangle_point)(&l->rectangle, out->surface, out->point);
+    out->distance = distance * w.unit;
+    for (i = 0; i < 3; i++)
+        out->normal[i] = (real)l->normal[i];
+    return out->weight > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
+}
 
 static psc_result FN(polygon_sample)(const psc_sampler *s, real u, real v,
                                      FN(psc_light_sample) *out)
@@ -70,6 +130,8 @@ static psc_result FN(polygon_sample)(const psc_sampler *s, real u, real v,
 
     if (s->sides == 0)
         return PSC_EMPTY;
+    if (s->map == PSC_MAP_PARALLEL)
+        return FN(rectangle_sample)(s, u, v, out);
     k = FN(pick_triangle)(l, u, &u);
     FN(polygon_world)(s, &w);
     if (s->measure == PSC_MEASURE_AREA) {
@@ -169,6 +231,38 @@ static void FN(flat_block)(const psc_sampler *s, int k, size_t n, const real *re
     }
 }
 
+/* A rectangle along its edges: a loop for each measure. */
+#define RECTANGLE_BLOCK(name, area)                                                            \
+    static void FN(name)(const psc_sampler *s, size_t n, const real *restrict u,               \
+                         const real *restrict v, struct FN(psc_results) *restrict r)           \
+    {                                                                                          \
+        const struct psc_rectangle f = s->polygon.rectangle;                                   \
+        const double up[3] = {s->polygon.up[0], s->polygon.up[1], s->polygon.up[2]};           \
+        const double volume = s->polygon.volume;                                               \
+        const real normal[3] = {(real)s->polygon.normal[0], (real)s->polygon.normal[1],        \
+                                (real)s->polygon.normal[2]};                                   \
+        struct FN(psc_polygon_world) w;                                                        \
+        size_t i;                                                                              \
+                                                                                               \
+        FN(polygon_world)(s, &w);                                                              \
+        for (i = 0; i < n; i++) {                                                              \
+            real share[2], direction[3], distance, pdf, weight, point[3];                      \
+                                                                                               \
+            FN(rectangle_lane)(&f, up, area, volume, w.facing, &w, u[i], v[i], share,      \
+                               direction, &distance, &pdf, &weight);                           \
+            FN(rectangle_point)(&f, share, point);                                             \
+            r->value[0][i] = direction[0];                                                     \
+            r->value[1][i] = direction[1];                                                     \
+            r->value[2][i] = direction[2];                                                     \
+            r->value[PSC_PDF][i] = pdf;                                                        \
+            r->value[PSC_WEIGHT][i] = weight;                                                  \
+            FN(store_surface)(r, i, point, normal, distance * w.unit, share[0], share[1]);     \
+        }                                                                                      \
+    }
+RECTANGLE_BLOCK(rectangle_block, 0)
+RECTANGLE_BLOCK(rectangle_area_block, 1)
+#undef RECTANGLE_BLOCK
+
 typedef void (*FN(triangle_block))(const psc_sampler *s, int k, size_t n, const real *u,
                                    const real *v, int surface, struct FN(psc_results) *r);
 
@@ -208,7 +302,10 @@ static void FN(polygon_side_block)(const psc_sampler *s, int side, size_t n, con
     size_t i;
 
     (void)side;
-    if (s->polygon.triangles == 1)
+    if (s->map == PSC_MAP_PARALLEL)
+        (s->measure == PSC_MEASURE_AREA ? FN(rectangle_area_block) : FN(rectangle_block))(s, n, u,
+                                                                                          v, r);
+    else if (s->polygon.triangles == 1)
         block(s, 0, n, u, v, surface, r);
     else
         FN(sorted_block)(s, block, n, u, v, surface, r);

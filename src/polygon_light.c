@@ -61,41 +61,77 @@ static int find_triangle(const struct psc_polygon_light *l, const double directi
 double psc_polygon_pdf(const psc_sampler *s, const double direction[3], double epsilon)
 {
     const struct psc_polygon_light *l = &s->polygon;
-    struct psc_spot_f64 p;
-    const int k = find_triangle(l, direction, epsilon, &p);
-    double a, b, c, t;
+    double t;
 
-    if (k < 0)
-        return 0.0;
-    if (s->measure != PSC_MEASURE_AREA)
-        return s->inverse_total;
-    fan_hit_f64(l->fan + k, &p, &a, &b, &c, &t);
-    return 2.0 * (t * t * t) / l->volume;
+    if (s->map == PSC_MAP_PARALLEL) {
+        struct psc_rectangle_point p;
+        double vector[3];
+
+        if (!rectangle_look(&l->rectangle, direction, 32.0 * epsilon, &p))
+            return 0.0;
+        rectangle_vector(&l->rectangle, &p, vector);
+        t = SQRT(dot(vector, vector));
+    } else {
+        struct psc_spot_f64 p;
+        const int k = find_triangle(l, direction, epsilon, &p);
+        double a, b, c;
+
+        if (k < 0)
+            return 0.0;
+        fan_hit_f64(l->fan + k, &p, &a, &b, &c, &t);
+    }
+    return s->measure == PSC_MEASURE_AREA ? 2.0 * (t * t * t) / l->volume : s->inverse_total;
+}
+
+static void invert_rectangle(const psc_sampler *s, const struct psc_rectangle_point *p, double uv[2])
+{
+    if (s->measure == PSC_MEASURE_AREA) {
+        uv[0] = p->u;
+        uv[1] = p->v;
+    } else {
+        rectangle_invert(&s->polygon.rectangle, p, uv);
+    }
+}
+
+static void invert_fan(const psc_sampler *s, int k, const struct psc_spot_f64 *p, double uv[2])
+{
+    const struct psc_polygon_light *l = &s->polygon;
+
+    if (s->measure == PSC_MEASURE_AREA) {
+        double a, b, c, t, rest;
+
+        fan_hit_f64(l->fan + k, p, &a, &b, &c, &t);
+        rest = a + c;
+        uv[0] = rest > 0.0 ? c / rest : 0.0;
+        uv[1] = rest * rest;
+    } else {
+        fan_invert(l->fan + k, p, uv);
+    }
+    if (l->triangles > 1)
+        uv[0] = l->below[k] + MIN(MAX(uv[0], 0.0), 1.0) / l->per_share[k];
 }
 
 psc_result psc_polygon_invert(const psc_sampler *s, const double direction[3], double epsilon,
                               double uv[2])
 {
     const struct psc_polygon_light *l = &s->polygon;
-    struct psc_spot_f64 p;
-    const int k = find_triangle(l, direction, epsilon, &p);
     int i;
 
-    if (k < 0)
-        return PSC_OUTSIDE;
-    if (s->measure == PSC_MEASURE_AREA) {
-        double a, b, c, t, rest;
+    if (s->map == PSC_MAP_PARALLEL) {
+        struct psc_rectangle_point p;
 
-        fan_hit_f64(l->fan + k, &p, &a, &b, &c, &t);
-        rest = a + c;
-        uv[0] = rest > 0.0 ? c / rest : 0.0;
-        uv[1] = rest * rest;
+        if (!rectangle_look(&l->rectangle, direction, 32.0 * epsilon, &p))
+            return PSC_OUTSIDE;
+        invert_rectangle(s, &p, uv);
     } else {
-        fan_invert(l->fan + k, &p, uv);
+        struct psc_spot_f64 p;
+        const int k = find_triangle(l, direction, epsilon, &p);
+
+        if (k < 0)
+            return PSC_OUTSIDE;
+        invert_fan(s, k, &p, uv);
     }
     for (i = 0; i < 2; i++)
         uv[i] = MIN(MAX(uv[i], 0.0), 1.0);
-    if (l->triangles > 1)
-        uv[0] = MIN(l->below[k] + uv[0] / l->per_share[k], 1.0);
     return PSC_SUCCESS;
 }

@@ -4,6 +4,7 @@
 #define PSC_SRC_POLYGON_STATE_H
 
 #include "fan.h"
+#include "rectangle_map.h"
 
 enum { PSC_MAX_FAN = PSC_MAX_VERTICES - 2 };
 
@@ -23,6 +24,7 @@ struct psc_polygon_light {
     struct psc_fan_f64 fan[PSC_MAX_FAN];
     struct psc_face_f64 face[PSC_MAX_FAN];
     struct psc_flat flat[PSC_MAX_FAN];
+    struct psc_rectangle rectangle; /* for maps along the edges */
 };
 
 #endif

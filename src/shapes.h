@@ -11,6 +11,8 @@
     X(from, DISK, disk)           \
     X(from, ELLIPSE, ellipse)     \
     X(from, ELLIPSOID, ellipsoid) \
-    X(from, TRIANGLE, triangle)
+    X(from, TRIANGLE, triangle)   \
+    X(from, RECTANGLE, rectangle) \
+    X(from, POLYGON, polygon)
 
 #endif

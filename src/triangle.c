@@ -18,6 +18,32 @@ psc_result psc_build_triangle(psc_sampler *sampler, const psc_technique *techniq
     return psc_build(sampler, &psc_shape_triangle, geometry, technique, receiver, parts);
 }
 
+psc_result psc_triangle_sample_n_f64(const psc_technique *technique, size_t count,
+                                     const psc_receivers_f64 *receivers,
+                                     const psc_input_f64 *v0,
+                                     const psc_input_f64 *v1,
+                                     const psc_input_f64 *v2,
+                                     const psc_input_f64 *uv, const psc_samples_f64 *out)
+{
+    const psc_input_f64 *const parts[] = {v0, v1, v2};
+
+    return psc_wavefront_f64(&psc_shape_triangle, geometry, technique, count, receivers, parts, uv,
+                             out);
+}
+
+psc_result psc_triangle_sample_n_f32(const psc_technique *technique, size_t count,
+                                     const psc_receivers_f32 *receivers,
+                                     const psc_input_f32 *v0,
+                                     const psc_input_f32 *v1,
+                                     const psc_input_f32 *v2,
+                                     const psc_input_f32 *uv, const psc_samples_f32 *out)
+{
+    const psc_input_f32 *const parts[] = {v0, v1, v2};
+
+    return psc_wavefront_f32(&psc_shape_triangle, geometry, technique, count, receivers, parts, uv,
+                             out);
+}
+
 psc_result psc_triangle_solid_angle(const double position[3], const double v0[3],
                                     const double v1[3], const double v2[3], double *solid_angle)
 {

@@ -205,87 +205,121 @@ FIELD(psc_description, reserved, 20, uint32_t *);
     F(12, build_triangle, int32_t, \
       (psc_sampler *, const psc_technique *, const psc_receiver *, const double *, \
        const double *, const double *)) \
-    F(13, sample_f64, int32_t, (const psc_sampler *, double, double, psc_light_sample_f64 *)) \
-    F(14, sample_f32, int32_t, (const psc_sampler *, float, float, psc_light_sample_f32 *)) \
-    F(15, pdf_f64, int32_t, (const psc_sampler *, const double *, double *)) \
-    F(16, pdf_f32, int32_t, (const psc_sampler *, const float *, float *)) \
-    F(17, invert_f64, int32_t, (const psc_sampler *, const double *, double *)) \
-    F(18, invert_f32, int32_t, (const psc_sampler *, const float *, float *)) \
-    F(19, sample_n_f64, int32_t, \
+    F(13, build_rectangle, int32_t, \
+      (psc_sampler *, const psc_technique *, const psc_receiver *, const double *, \
+       const double *, const double *)) \
+    F(14, build_polygon, int32_t, \
+      (psc_sampler *, const psc_technique *, const psc_receiver *, size_t, const double *, \
+       ptrdiff_t)) \
+    F(15, sample_f64, int32_t, (const psc_sampler *, double, double, psc_light_sample_f64 *)) \
+    F(16, sample_f32, int32_t, (const psc_sampler *, float, float, psc_light_sample_f32 *)) \
+    F(17, pdf_f64, int32_t, (const psc_sampler *, const double *, double *)) \
+    F(18, pdf_f32, int32_t, (const psc_sampler *, const float *, float *)) \
+    F(19, invert_f64, int32_t, (const psc_sampler *, const double *, double *)) \
+    F(20, invert_f32, int32_t, (const psc_sampler *, const float *, float *)) \
+    F(21, sample_n_f64, int32_t, \
       (const psc_sampler *, size_t, const psc_input_f64 *, const psc_samples_f64 *)) \
-    F(20, sample_n_f32, int32_t, \
+    F(22, sample_n_f32, int32_t, \
       (const psc_sampler *, size_t, const psc_input_f32 *, const psc_samples_f32 *)) \
-    F(21, pdf_n_f64, int32_t, \
+    F(23, pdf_n_f64, int32_t, \
       (const psc_sampler *, size_t, const psc_input_f64 *, const psc_output_f64 *)) \
-    F(22, pdf_n_f32, int32_t, \
+    F(24, pdf_n_f32, int32_t, \
       (const psc_sampler *, size_t, const psc_input_f32 *, const psc_output_f32 *)) \
-    F(23, invert_n_f64, int32_t, \
+    F(25, invert_n_f64, int32_t, \
       (const psc_sampler *, size_t, const psc_input_f64 *, const psc_output_f64 *, \
        const psc_output_result *)) \
-    F(24, invert_n_f32, int32_t, \
+    F(26, invert_n_f32, int32_t, \
       (const psc_sampler *, size_t, const psc_input_f32 *, const psc_output_f32 *, \
        const psc_output_result *)) \
-    F(25, sphere_sample_n_f64, int32_t, \
+    F(27, sphere_sample_n_f64, int32_t, \
       (const psc_technique *, size_t, const psc_receivers_f64 *, const psc_input_f64 *, \
        const psc_input_f64 *, const psc_input_f64 *, const psc_samples_f64 *)) \
-    F(26, sphere_sample_n_f32, int32_t, \
+    F(28, sphere_sample_n_f32, int32_t, \
       (const psc_technique *, size_t, const psc_receivers_f32 *, const psc_input_f32 *, \
        const psc_input_f32 *, const psc_input_f32 *, const psc_samples_f32 *)) \
-    F(27, cap_sample_n_f64, int32_t, \
+    F(29, cap_sample_n_f64, int32_t, \
       (const psc_technique *, size_t, const psc_receivers_f64 *, const psc_input_f64 *, \
        const psc_input_f64 *, const psc_input_f64 *, const psc_samples_f64 *)) \
-    F(28, cap_sample_n_f32, int32_t, \
+    F(30, cap_sample_n_f32, int32_t, \
       (const psc_technique *, size_t, const psc_receivers_f32 *, const psc_input_f32 *, \
        const psc_input_f32 *, const psc_input_f32 *, const psc_samples_f32 *)) \
-    F(29, disk_sample_n_f64, int32_t, \
+    F(31, disk_sample_n_f64, int32_t, \
       (const psc_technique *, size_t, const psc_receivers_f64 *, const psc_input_f64 *, \
        const psc_input_f64 *, const psc_input_f64 *, const psc_input_f64 *, \
        const psc_samples_f64 *)) \
-    F(30, disk_sample_n_f32, int32_t, \
+    F(32, disk_sample_n_f32, int32_t, \
       (const psc_technique *, size_t, const psc_receivers_f32 *, const psc_input_f32 *, \
        const psc_input_f32 *, const psc_input_f32 *, const psc_input_f32 *, \
        const psc_samples_f32 *)) \
-    F(31, ellipse_sample_n_f64, int32_t, \
+    F(33, ellipse_sample_n_f64, int32_t, \
       (const psc_technique *, size_t, const psc_receivers_f64 *, const psc_input_f64 *, \
        const psc_input_f64 *, const psc_input_f64 *, const psc_input_f64 *, \
        const psc_samples_f64 *)) \
-    F(32, ellipse_sample_n_f32, int32_t, \
+    F(34, ellipse_sample_n_f32, int32_t, \
       (const psc_technique *, size_t, const psc_receivers_f32 *, const psc_input_f32 *, \
        const psc_input_f32 *, const psc_input_f32 *, const psc_input_f32 *, \
        const psc_samples_f32 *)) \
-    F(33, ellipsoid_sample_n_f64, int32_t, \
+    F(35, ellipsoid_sample_n_f64, int32_t, \
       (const psc_technique *, size_t, const psc_receivers_f64 *, const psc_input_f64 *, \
        const psc_input_f64 *, const psc_input_f64 *, const psc_input_f64 *, \
        const psc_input_f64 *, const psc_samples_f64 *)) \
-    F(34, ellipsoid_sample_n_f32, int32_t, \
+    F(36, ellipsoid_sample_n_f32, int32_t, \
       (const psc_technique *, size_t, const psc_receivers_f32 *, const psc_input_f32 *, \
        const psc_input_f32 *, const psc_input_f32 *, const psc_input_f32 *, \
        const psc_input_f32 *, const psc_samples_f32 *)) \
-    F(35, sampler_describe, int32_t, (const psc_sampler *, psc_description *)) \
-    F(36, sampler_total, int32_t, (const psc_sampler *, double *)) \
-    F(37, sampler_solid_angle, int32_t, (const psc_sampler *, double *)) \
-    F(38, sampler_projected_solid_angle, int32_t, (const psc_sampler *, double *)) \
-    F(39, sampler_form_factor, int32_t, (const psc_sampler *, double *)) \
-    F(40, sampler_area, int32_t, (const psc_sampler *, double *)) \
-    F(41, sphere_solid_angle, int32_t, (const double *, const double *, double, double *)) \
-    F(42, sphere_form_factor, int32_t, (const psc_receiver *, const double *, double, double *)) \
-    F(43, cap_solid_angle, int32_t, (double, double *)) \
-    F(44, cap_form_factor, int32_t, (const psc_receiver *, const double *, double, double *)) \
-    F(45, disk_solid_angle, int32_t, \
+    F(37, triangle_sample_n_f64, int32_t, \
+      (const psc_technique *, size_t, const psc_receivers_f64 *, const psc_input_f64 *, \
+       const psc_input_f64 *, const psc_input_f64 *, const psc_input_f64 *, \
+       const psc_samples_f64 *)) \
+    F(38, triangle_sample_n_f32, int32_t, \
+      (const psc_technique *, size_t, const psc_receivers_f32 *, const psc_input_f32 *, \
+       const psc_input_f32 *, const psc_input_f32 *, const psc_input_f32 *, \
+       const psc_samples_f32 *)) \
+    F(39, rectangle_sample_n_f64, int32_t, \
+      (const psc_technique *, size_t, const psc_receivers_f64 *, const psc_input_f64 *, \
+       const psc_input_f64 *, const psc_input_f64 *, const psc_input_f64 *, \
+       const psc_samples_f64 *)) \
+    F(40, rectangle_sample_n_f32, int32_t, \
+      (const psc_technique *, size_t, const psc_receivers_f32 *, const psc_input_f32 *, \
+       const psc_input_f32 *, const psc_input_f32 *, const psc_input_f32 *, \
+       const psc_samples_f32 *)) \
+    F(41, polygon_sample_n_f64, int32_t, \
+      (const psc_technique *, size_t, const psc_receivers_f64 *, size_t, const psc_input_f64 *, \
+       const psc_input_f64 *, \
+       const psc_samples_f64 *)) \
+    F(42, polygon_sample_n_f32, int32_t, \
+      (const psc_technique *, size_t, const psc_receivers_f32 *, size_t, const psc_input_f32 *, \
+       const psc_input_f32 *, \
+       const psc_samples_f32 *)) \
+    F(43, sampler_describe, int32_t, (const psc_sampler *, psc_description *)) \
+    F(44, sampler_total, int32_t, (const psc_sampler *, double *)) \
+    F(45, sampler_solid_angle, int32_t, (const psc_sampler *, double *)) \
+    F(46, sampler_projected_solid_angle, int32_t, (const psc_sampler *, double *)) \
+    F(47, sampler_form_factor, int32_t, (const psc_sampler *, double *)) \
+    F(48, sampler_area, int32_t, (const psc_sampler *, double *)) \
+    F(49, sphere_solid_angle, int32_t, (const double *, const double *, double, double *)) \
+    F(50, sphere_form_factor, int32_t, (const psc_receiver *, const double *, double, double *)) \
+    F(51, cap_solid_angle, int32_t, (double, double *)) \
+    F(52, cap_form_factor, int32_t, (const psc_receiver *, const double *, double, double *)) \
+    F(53, disk_solid_angle, int32_t, \
       (const double *, const double *, const double *, double, double *)) \
-    F(46, ellipse_solid_angle, int32_t, \
+    F(54, ellipse_solid_angle, int32_t, \
       (const double *, const double *, const double *, const double *, double *)) \
-    F(47, ellipsoid_solid_angle, int32_t, \
+    F(55, ellipsoid_solid_angle, int32_t, \
       (const double *, const double *, const double *, const double *, const double *, double *)) \
-    F(48, triangle_solid_angle, int32_t, \
-      (const double *, const double *, const double *, const double *, double *))
+    F(56, triangle_solid_angle, int32_t, \
+      (const double *, const double *, const double *, const double *, double *)) \
+    F(57, rectangle_solid_angle, int32_t, \
+      (const double *, const double *, const double *, const double *, double *)) \
+    F(58, polygon_solid_angle, int32_t, \
+      (const double *, size_t, const double *, ptrdiff_t, double *))
 
 #define FUNCTION(place, name, result, parameters) \
     _Static_assert(_Generic(&psc_##name, result(*) parameters : 1, default : 0), "psc_" #name); \
     FIELD(psc_api_1, name, (place) * W, result(**) parameters);
 
 FUNCTIONS(FUNCTION)
-SIZE(psc_api_1, 49 * W, W);
+SIZE(psc_api_1, 59 * W, W);
 _Static_assert(_Generic(&psc_get_api, int32_t (*)(uint32_t, void *, size_t) : 1, default : 0),
                "psc_get_api");
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Triangles by solid angle: triangle_solid_angle and triangle_arvo, for a receiver at the origin.
+ * Triangles and rectangles by solid angle, for a receiver at the origin: triangle_solid_angle,
+ * triangle_arvo, rectangle_solid_angle and rectangle_ufk.
  *
  * A direction is compared in units of its precision's rounding times 1 + amp_xi, the sum of the
  * lengths of its derivatives by xi1 and xi2: the least that rounding xi moves it by.
@@ -54,6 +55,29 @@ static void compare_triangle(const struct csv *row, double error[GOLDEN_MEASURES
     compare_total(s.sampler, alone, row->exact[9], error);
 }
 
+static psc_result build_rectangle(psc_sampler *sampler, psc_map map, const double *g)
+{
+    const psc_technique technique = make_technique(PSC_MEASURE_SOLID_ANGLE, map);
+    const psc_receiver receiver = make_receiver(origin, NULL, 0);
+
+    return psc_build_rectangle(sampler, &technique, &receiver, g, g + 3, g + 6);
+}
+
+/* Along the edges, and in the fourth place as a fan. */
+static void compare_rectangle(const struct csv *row, double error[GOLDEN_MEASURES])
+{
+    const double *g = row->number;
+    struct test_sampler s;
+    double alone = NAN, fan = NAN;
+
+    build_rectangle(make_sampler(&s), PSC_MAP_PARALLEL, g);
+    psc_rectangle_solid_angle(origin, g, g + 3, g + 6, &alone);
+    compare_total(s.sampler, alone, row->exact[9], error);
+    build_rectangle(s.sampler, PSC_MAP_RADIAL, g);
+    psc_sampler_total(s.sampler, &fan);
+    error[3] = relative(fan, row->exact[9]);
+}
+
 /* Error of the direction at (u, v), in units of what its precision can hold. */
 static double direction_error(const psc_sampler *sampler, int bits, double u, double v,
                               const quad exact[3], double amp)
@@ -79,6 +103,16 @@ static void compare_arvo(const struct csv *row, double error[GOLDEN_MEASURES])
     error[1] = direction_error(s.sampler, 32, v[9], v[10], row->exact + 11, v[14]);
 }
 
+static void compare_ufk(const struct csv *row, double error[GOLDEN_MEASURES])
+{
+    const double *g = row->number;
+    struct test_sampler s;
+
+    build_rectangle(make_sampler(&s), PSC_MAP_PARALLEL, g);
+    error[0] = direction_error(s.sampler, 64, g[9], g[10], row->exact + 13, g[16]);
+    error[1] = direction_error(s.sampler, 32, g[9], g[10], row->exact + 13, g[16]);
+}
+
 #define TOTAL_MEASURES                                                                  \
     {                                                                                   \
         {"solid angle, relative", 1e-15},                                               \
@@ -98,6 +132,15 @@ const struct golden_quantity golden_polygons[] = {
      TOTAL_MEASURES},
     {"triangle_arvo", "ax,ay,az,bx,by,bz,cx,cy,cz,xi1,xi2,dx,dy,dz,amp_xi,amp_v", 16,
      compare_arvo, DIRECTION_MEASURES},
+    {"rectangle_solid_angle", "sx,sy,sz,exx,exy,exz,eyx,eyy,eyz,omega", 10, compare_rectangle,
+     {{"solid angle, relative", 2e-15},
+      {"density f64, relative", 2e-15},
+      {"density f32, relative", 1e-7},
+      {"solid angle as a fan, relative", 2e-15},
+      {NULL, 0.0}, {NULL, 0.0}}},
+    {"rectangle_ufk",
+     "sx,sy,sz,exx,exy,exz,eyx,eyy,eyz,xi1,xi2,s_fraction,t_fraction,dx,dy,dz,amp_xi", 17,
+     compare_ufk, DIRECTION_MEASURES},
     {NULL, NULL, 0, NULL,
      {{NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}}},
 };

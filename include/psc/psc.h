@@ -40,6 +40,8 @@
  *   [Wan92] C. Wang: Physically correct direct lighting for distribution ray tracing.
  *           Graphics Gems III, 1992.
  *   [SC97]  P. Shirley, K. Chiu: A low distortion map between disk and square. JGT 2(3), 1997.
+ *   [UFK13] C. Ureña, M. Fajardo, A. King: An area-preserving parametrization for spherical
+ *           rectangles. EGSR 2013.
  *   [Arv95] J. Arvo: Stratified sampling of spherical triangles. SIGGRAPH 1995.
  *   [OS83]  A. Van Oosterom, J. Strackee: The solid angle of a plane triangle. IEEE Transactions
  *           on Biomedical Engineering 30(2), 1983.
@@ -145,10 +147,11 @@ enum {
     /** Polar. Spheres and caps: u moves outwards from the centre (from the inner edge of a
         lune), v around it; for projected solid angle section 4.2 and listing 1 of [UG18]. Disks
         and ellipsoids: u around the centre, v from the outline (0) to it (1), section 3.2 of
-        [GUK17]. Triangles: around a vertex, see psc_build_triangle(). */
+        [GUK17]. Polygons: around a vertex, see psc_build_triangle(). */
     PSC_MAP_RADIAL = 0,
     /** Parallel chords. Spheres and caps: v selects one, u moves along it, section 4.1 of [UG18].
-        Disks and ellipsoids: u selects one, v moves along it, section 3.1 of [GUK17]. */
+        Disks and ellipsoids: u selects one, v moves along it, section 3.1 of [GUK17].
+        Rectangles: along the edges, see psc_build_rectangle(). */
     PSC_MAP_PARALLEL = 1,
     /** Low distortion: the square is first laid over a disk by [SC97], so that neighbouring
         points stay neighbours all round. */
@@ -170,9 +173,10 @@ enum {
  *     parallel                    x                      x
  *     concentric                  x                      x
  *
- *                                triangle
- *                      solid angle   projected solid angle      area
- *     radial               x                                     x
+ *                        triangle, rectangle, polygon          rectangle only
+ *                      solid angle              area        solid angle    area
+ *     radial               x                      x
+ *     parallel                                                  x            x
  *
  * A combination that a shape does not offer is PSC_ERROR_UNSUPPORTED_TECHNIQUE when it is
  * built, never a silent substitute.
@@ -359,6 +363,47 @@ PSC_API psc_result psc_build_ellipsoid(psc_sampler *sampler, const psc_technique
 PSC_API psc_result psc_build_triangle(psc_sampler *sampler, const psc_technique *technique,
                                       const psc_receiver *receiver, const double v0[3],
                                       const double v1[3], const double v2[3]);
+
+/**
+ * Builds the sampler of a rectangular light.
+ *
+ * Parallel maps keep its grid: u moves along edge_u, v along edge_v. By solid angle [UFK13] u is
+ * the fraction of the solid angle at smaller fractions of edge_u, and v that within the strip at
+ * that fraction. Radial maps are those of the polygon corner, corner + edge_u, corner + edge_u +
+ * edge_v, corner + edge_v, see psc_build_polygon().
+ *
+ * The front is the side that edge_u x edge_v points to, which is the direction of the samples'
+ * normals; surface has the fractions of edge_u and edge_v.
+ * @param corner         finite
+ * @param edge_u,edge_v  from there, finite; without length: PSC_EMPTY. Perpendicular to within
+ *                       1e-6 as a cosine, else PSC_ERROR_NOT_RECTANGLE; what is left of that the
+ *                       parallel map by solid angle ignores.
+ * @return as psc_build_triangle(), or PSC_ERROR_NOT_RECTANGLE
+ * @since 0.1
+ */
+PSC_API psc_result psc_build_rectangle(psc_sampler *sampler, const psc_technique *technique,
+                                       const psc_receiver *receiver, const double corner[3],
+                                       const double edge_u[3], const double edge_v[3]);
+
+/**
+ * Builds the sampler of a convex polygon: a fan of triangles about v0, each sampled like
+ * psc_build_triangle() with A = v(i), B = v0, C = v(i + 1). u runs through the fan from v1 to the
+ * last vertex, and v from v0 outwards, without seams between the triangles.
+ *
+ * The front is the side from which the vertices run counter-clockwise. Surface has the numbers s
+ * and t with point = v0 + s (v1 - v0) + t (v(last) - v0); 0 if these two edges are in line.
+ * @param count     3 to 16 vertices
+ * @param vertices  three finite numbers each, in order around the polygon, in one plane to within
+ *                  1e-6 of its extent, and nowhere turning back by more than 1e-6 as a sine.
+ *                  Several may be in line or the same. Without area: PSC_EMPTY.
+ * @param stride    bytes from one vertex to the next; 3 * sizeof(double) for packed ones
+ * @return as psc_build_triangle(), or PSC_ERROR_VERTEX_COUNT, PSC_ERROR_NOT_PLANAR,
+ *         PSC_ERROR_NOT_CONVEX
+ * @since 0.1
+ */
+PSC_API psc_result psc_build_polygon(psc_sampler *sampler, const psc_technique *technique,
+                                     const psc_receiver *receiver, size_t count,
+                                     const double *vertices, ptrdiff_t stride);
 
 /* ---- One sample at a time ------------------------------------------------------------------ */
 
@@ -645,6 +690,51 @@ PSC_API psc_result psc_ellipsoid_sample_n_f32(const psc_technique *technique, si
                                               const psc_input_f32 *axis_w, const psc_input_f32 *uv,
                                               const psc_samples_f32 *out);
 
+/** psc_build_triangle() and psc_sample_f64() for each element; see psc_sphere_sample_n_f64().
+    @since 0.1 */
+PSC_API psc_result psc_triangle_sample_n_f64(const psc_technique *technique, size_t count,
+                                             const psc_receivers_f64 *receivers,
+                                             const psc_input_f64 *v0, const psc_input_f64 *v1,
+                                             const psc_input_f64 *v2, const psc_input_f64 *uv,
+                                             const psc_samples_f64 *out);
+/** The same in single precision. @since 0.1 */
+PSC_API psc_result psc_triangle_sample_n_f32(const psc_technique *technique, size_t count,
+                                             const psc_receivers_f32 *receivers,
+                                             const psc_input_f32 *v0, const psc_input_f32 *v1,
+                                             const psc_input_f32 *v2, const psc_input_f32 *uv,
+                                             const psc_samples_f32 *out);
+
+/** psc_build_rectangle() and psc_sample_f64() for each element; see psc_sphere_sample_n_f64().
+    @since 0.1 */
+PSC_API psc_result psc_rectangle_sample_n_f64(const psc_technique *technique, size_t count,
+                                              const psc_receivers_f64 *receivers,
+                                              const psc_input_f64 *corner,
+                                              const psc_input_f64 *edge_u,
+                                              const psc_input_f64 *edge_v,
+                                              const psc_input_f64 *uv,
+                                              const psc_samples_f64 *out);
+/** The same in single precision. @since 0.1 */
+PSC_API psc_result psc_rectangle_sample_n_f32(const psc_technique *technique, size_t count,
+                                              const psc_receivers_f32 *receivers,
+                                              const psc_input_f32 *corner,
+                                              const psc_input_f32 *edge_u,
+                                              const psc_input_f32 *edge_v,
+                                              const psc_input_f32 *uv,
+                                              const psc_samples_f32 *out);
+
+/** psc_build_polygon() and psc_sample_f64() for each element; see psc_sphere_sample_n_f64().
+    All have vertex_count vertices, 3 to 16; vertices has that many inputs, of vectors.
+    @since 0.1 */
+PSC_API psc_result psc_polygon_sample_n_f64(const psc_technique *technique, size_t count,
+                                            const psc_receivers_f64 *receivers,
+                                            size_t vertex_count, const psc_input_f64 *vertices,
+                                            const psc_input_f64 *uv, const psc_samples_f64 *out);
+/** The same in single precision. @since 0.1 */
+PSC_API psc_result psc_polygon_sample_n_f32(const psc_technique *technique, size_t count,
+                                            const psc_receivers_f32 *receivers,
+                                            size_t vertex_count, const psc_input_f32 *vertices,
+                                            const psc_input_f32 *uv, const psc_samples_f32 *out);
+
 /* ---- Questions ------------------------------------------------------------------------------ */
 
 /** The shape a sampler was built for. */
@@ -782,6 +872,19 @@ PSC_API psc_result psc_triangle_solid_angle(const double position[3], const doub
                                             const double v1[3], const double v2[3],
                                             double *solid_angle);
 
+/** Solid angle of a rectangle without a sampler, in steradians; see psc_build_rectangle().
+    @return as psc_triangle_solid_angle(), or PSC_ERROR_NOT_RECTANGLE @since 0.1 */
+PSC_API psc_result psc_rectangle_solid_angle(const double position[3], const double corner[3],
+                                             const double edge_u[3], const double edge_v[3],
+                                             double *solid_angle);
+
+/** Solid angle of a convex polygon without a sampler, in steradians; see psc_build_polygon().
+    @return as psc_triangle_solid_angle(), or PSC_ERROR_VERTEX_COUNT, PSC_ERROR_NOT_PLANAR,
+    PSC_ERROR_NOT_CONVEX @since 0.1 */
+PSC_API psc_result psc_polygon_solid_angle(const double position[3], size_t count,
+                                           const double *vertices, ptrdiff_t stride,
+                                           double *solid_angle);
+
 /* ---- The function table, for programs that load the library at run time ----------------------- */
 
 /** Every function above, in the order of this header. The table only ever grows at its end. */
@@ -805,6 +908,10 @@ typedef struct psc_api_1 {
                                   const double *, const double *, const double *, const double *);
     psc_result (*build_triangle)(psc_sampler *, const psc_technique *, const psc_receiver *,
                                  const double *, const double *, const double *);
+    psc_result (*build_rectangle)(psc_sampler *, const psc_technique *, const psc_receiver *,
+                                  const double *, const double *, const double *);
+    psc_result (*build_polygon)(psc_sampler *, const psc_technique *, const psc_receiver *, size_t,
+                                const double *, ptrdiff_t);
     psc_result (*sample_f64)(const psc_sampler *, double, double, psc_light_sample_f64 *);
     psc_result (*sample_f32)(const psc_sampler *, float, float, psc_light_sample_f32 *);
     psc_result (*pdf_f64)(const psc_sampler *, const double *, double *);
@@ -859,6 +966,28 @@ typedef struct psc_api_1 {
                                          const psc_input_f32 *, const psc_input_f32 *,
                                          const psc_input_f32 *, const psc_input_f32 *,
                                          const psc_input_f32 *, const psc_samples_f32 *);
+    psc_result (*triangle_sample_n_f64)(const psc_technique *, size_t, const psc_receivers_f64 *,
+                                        const psc_input_f64 *, const psc_input_f64 *,
+                                        const psc_input_f64 *, const psc_input_f64 *,
+                                        const psc_samples_f64 *);
+    psc_result (*triangle_sample_n_f32)(const psc_technique *, size_t, const psc_receivers_f32 *,
+                                        const psc_input_f32 *, const psc_input_f32 *,
+                                        const psc_input_f32 *, const psc_input_f32 *,
+                                        const psc_samples_f32 *);
+    psc_result (*rectangle_sample_n_f64)(const psc_technique *, size_t, const psc_receivers_f64 *,
+                                         const psc_input_f64 *, const psc_input_f64 *,
+                                         const psc_input_f64 *, const psc_input_f64 *,
+                                         const psc_samples_f64 *);
+    psc_result (*rectangle_sample_n_f32)(const psc_technique *, size_t, const psc_receivers_f32 *,
+                                         const psc_input_f32 *, const psc_input_f32 *,
+                                         const psc_input_f32 *, const psc_input_f32 *,
+                                         const psc_samples_f32 *);
+    psc_result (*polygon_sample_n_f64)(const psc_technique *, size_t, const psc_receivers_f64 *,
+                                       size_t, const psc_input_f64 *, const psc_input_f64 *,
+                                       const psc_samples_f64 *);
+    psc_result (*polygon_sample_n_f32)(const psc_technique *, size_t, const psc_receivers_f32 *,
+                                       size_t, const psc_input_f32 *, const psc_input_f32 *,
+                                       const psc_samples_f32 *);
     psc_result (*sampler_describe)(const psc_sampler *, psc_description *);
     psc_result (*sampler_total)(const psc_sampler *, double *);
     psc_result (*sampler_solid_angle)(const psc_sampler *, double *);
@@ -877,6 +1006,9 @@ typedef struct psc_api_1 {
                                         const double *, const double *, double *);
     psc_result (*triangle_solid_angle)(const double *, const double *, const double *,
                                        const double *, double *);
+    psc_result (*rectangle_solid_angle)(const double *, const double *, const double *,
+                                        const double *, double *);
+    psc_result (*polygon_solid_angle)(const double *, size_t, const double *, ptrdiff_t, double *);
 } psc_api_1;
 
 /**

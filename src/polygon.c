@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Convex polygons: a fan about the first vertex. */
+#include "polygon_build.h"
+#include "polygon_light.h"
+
+const struct psc_shape_row psc_shape_polygon = {
+    PSC_SHAPE_POLYGON, PSC_KERNEL_POLYGON, {1, 0, 1, 0}, psc_polygon_solid_angle_of,
+    psc_polygon_projected_solid_angle, psc_polygon_area, psc_polygon_pdf, psc_polygon_invert};
+
+static int is_vertex_count(size_t count)
+{
+    return count >= 3 && count <= PSC_MAX_VERTICES;
+}
+
+/* A v for each vertex. */
+static const char *geometry_of(size_t count)
+{
+    static const char most[] = "vvvvvvvvvvvvvvvv";
+
+    return most + (PSC_MAX_VERTICES - count);
+}
+
+static const double *vertex_at(const double *vertices, ptrdiff_t stride, size_t i)
+{
+    return (const double *)(const void *)((const char *)vertices + (ptrdiff_t)i * stride);
+}
+
+psc_result psc_build_polygon(psc_sampler *sampler, const psc_technique *technique,
+                             const psc_receiver *receiver, size_t count, const double *vertices,
+                             ptrdiff_t stride)
+{
+    const double *parts[PSC_MAX_VERTICES] = {NULL};
+    size_t i;
+
+    if (!sampler)
+        return PSC_ERROR_NULL_POINTER;
+    if (!is_vertex_count(count)) {
+        psc_clear(sampler);
+        return PSC_ERROR_VERTEX_COUNT;
+    }
+    for (i = 0; vertices && i < count; i++)
+        parts[i] = vertex_at(vertices, stride, i);
+    return psc_build(sampler, &psc_shape_polygon, geometry_of(count), technique, receiver, parts);
+}
+
+psc_result psc_polygon_sample_n_f64(const psc_technique *technique, size_t count,
+                                    const psc_receivers_f64 *receivers, size_t vertex_count,
+                                    const psc_input_f64 *vertices, const psc_input_f64 *uv,
+                                    const psc_samples_f64 *out)
+{
+    const psc_input_f64 *parts[PSC_MAX_VERTICES] = {NULL};
+    size_t i;
+
+    if (!is_vertex_count(vertex_count))
+        return PSC_ERROR_VERTEX_COUNT;
+    for (i = 0; vertices && i < vertex_count; i++)
+        parts[i] = vertices + i;
+    return psc_wavefront_f64(&psc_shape_polygon, geometry_of(vertex_count), technique, count,
+                             receivers, parts, uv, out);
+}
+
+psc_result psc_polygon_sample_n_f32(const psc_technique *technique, size_t count,
+                                    const psc_receivers_f32 *receivers, size_t vertex_count,
+                                    const psc_input_f32 *vertices, const psc_input_f32 *uv,
+                                    const psc_samples_f32 *out)
+{
+    const psc_input_f32 *parts[PSC_MAX_VERTICES] = {NULL};
+    size_t i;
+
+    if (!is_vertex_count(vertex_count))
+        return PSC_ERROR_VERTEX_COUNT;
+    for (i = 0; vertices && i < vertex_count; i++)
+        parts[i] = vertices + i;
+    return psc_wavefront_f32(&psc_shape_polygon, geometry_of(vertex_count), technique, count,
+                             receivers, parts, uv, out);
+}
+
+psc_result psc_polygon_solid_angle(const double position[3], size_t count, const double *vertices,
+                                   ptrdiff_t stride, double *solid_angle)
+{
+    double numbers[3 * PSC_MAX_VERTICES], half = 0.0;
+    struct psc_polygon_view view;
+    psc_result result;
+    int i, n;
+
+    if (!position || !vertices || !solid_angle)
+        return PSC_ERROR_NULL_POINTER;
+    if (!is_vertex_count(count))
+        return PSC_ERROR_VERTEX_COUNT;
+    n = (int)count;
+    for (i = 0; i < n; i++) {
+        memcpy(numbers + 3 * i, vertex_at(vertices, stride, (size_t)i), 3 * sizeof *numbers);
+        if (!is_finite3(numbers + 3 * i))
+            return PSC_ERROR_NOT_FINITE;
+    }
+    if (!is_finite3(position) || !see_polygon(position, n, numbers, &view))
+        return PSC_ERROR_NOT_FINITE;
+    result = check_polygon(&view, numbers);
+    if (result != PSC_SUCCESS)
+        return result;
+    for (i = 1; i + 1 < n; i++) {
+        struct psc_triangle_words words;
+        struct psc_triangle_view seen;
+
+        triangle_words(&view, numbers, i, 0, i + 1, &words);
+        see_triangle(&words, &seen);
+        half += seen.half;
+    }
+    *solid_angle = 2.0 * half;
+    return *solid_angle > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
+}
