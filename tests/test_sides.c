@@ -3,9 +3,12 @@
  * Lights that shine on one side only: a receiver before the light, or outside it, sees the same to
  * the bit as if it shone on both; one behind or inside sees nothing. The side of a flat light is
  * where its normal points, whichever way the receiver looks.
+ *
+ * Receivers that are lit on both sides: of the square, each side takes the share that it has of
+ * the projected solid angle, the side of the normal first.
  */
 #include "rays.h"
-#include "tap.h"
+#include "worst.h"
 
 enum { LIGHTS = 300, SAMPLES = 4 };
 
@@ -73,13 +76,70 @@ static void sides(const struct shape *shape, const struct test_technique *what)
            what->name, lit, dark, wrong);
 }
 
+/* The projected solid angle of a one-sided receiver that looks this way; 0 if it sees nothing. */
+static double seen_from(const struct light *light, double sign)
+{
+    struct light one = *light;
+    struct test_sampler s;
+    double value = 0.0;
+
+    one.flags = 0;
+    scale3(light->normal, sign, one.normal);
+    return build_light(make_sampler(&s), &one) == PSC_SUCCESS &&
+                   psc_sampler_projected_solid_angle(s.sampler, &value) == PSC_SUCCESS
+               ? value
+               : 0.0;
+}
+
+/* Where u goes from one side to the other. */
+static double find_split(const struct light *light, const psc_sampler *sampler)
+{
+    double low = 0.0, high = 1.0;
+    int i;
+
+    for (i = 0; i < 60; i++) {
+        const double middle = 0.5 * (low + high);
+        psc_light_sample_f64 s;
+
+        psc_sample_f64(sampler, middle, 0.5, &s);
+        *(dot(s.direction, light->normal) > 0.0 ? &low : &high) = middle;
+    }
+    return low;
+}
+
+static void shares(const struct shape *shape, const struct test_technique *what)
+{
+    struct worst worst = {0};
+    uint64_t seed = 171;
+    int i;
+
+    for (i = 0; i < LIGHTS; i++) {
+        struct test_sampler s;
+        struct light light;
+        double above, below;
+
+        place_light(&seed, shape, what, PLACE_ORDINARY, HORIZON_CUT, FACING_BOTH, &light);
+        if (build_light(make_sampler(&s), &light) != PSC_SUCCESS)
+            continue;
+        above = seen_from(&light, 1.0);
+        below = seen_from(&light, -1.0);
+        if (above > 0.0 && below > 0.0)
+            worst_add(&worst, fabs(find_split(&light, s.sampler) - above / (above + below)), "%s",
+                      describe_light(&light));
+    }
+    worst_report(&worst, 1e-14, "%s, %s: share of the first side", shape->name, what->name);
+}
+
 int main(void)
 {
     const struct test_technique *what;
     int i;
 
     for (i = 0; shapes[i]; i++)
-        for (FOR_TECHNIQUES(shapes[i], what))
+        for (FOR_TECHNIQUES(shapes[i], what)) {
             sides(shapes[i], what);
+            if (what->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE)
+                shares(shapes[i], what);
+        }
     return tap_done();
 }
