@@ -33,14 +33,6 @@ static inline int rule_f32(double ca, double cb)
 }
 #undef RULE_AT_LEAST
 
-/* mu - 1 of psc_cdf. */
-PSC_LANE double ellipse_mu1(double ca, double cb)
-{
-    const double mu = SQRT((1.0 + ca) / (1.0 + cb));
-
-    return (ca - cb) / ((1.0 + cb) * (1.0 + mu));
-}
-
 /* What the radial maps need, in both precisions. */
 static inline void radial_fit(struct psc_disk_light *d)
 {
@@ -135,7 +127,10 @@ static inline void disk_head(psc_sampler *s)
     s->sides = 1;
     memcpy(d->axis, d->seen.z, sizeof d->axis);
     d->map = d->inside ? PSC_DISK_AROUND_RADIAL : area ? PSC_DISK_AREA_RADIAL : PSC_DISK_RADIAL;
-    d->map += s->map == PSC_MAP_CONCENTRIC ? 1 : s->map == PSC_MAP_PARALLEL ? 2 : 0;
+    if (s->map == PSC_MAP_QUASI_UNIFORM)
+        d->map = d->inside ? PSC_DISK_AROUND_RADIAL : PSC_DISK_QUASI_UNIFORM;
+    else
+        d->map += s->map == PSC_MAP_CONCENTRIC ? 1 : s->map == PSC_MAP_PARALLEL ? 2 : 0;
     s->total = d->inside ? 4.0 * PSC_PI : area ? d->area : ellipse_total(&d->seen);
     d->rule_f64 = rule_f64(d->seen.ca, d->seen.cb);
     d->rule_f32 = rule_f32(d->seen.ca, d->seen.cb);

@@ -63,6 +63,9 @@ static void FN(disk_point)(const psc_sampler *s, const struct FN(psc_disk_world)
         default: break;
         }
         break;
+    case PSC_DISK_QUASI_UNIFORM:
+        FN(quasi_point)(w->a, w->b, w->ca2, w->cb2, w->mu1, u, v, p);
+        return;
     default: break;
     }
     FN(solved_point)(s, u, v, p);
@@ -80,7 +83,7 @@ static psc_result FN(disk_sample)(const psc_sampler *s, real u, real v, FN(psc_l
     FN(disk_point)(s, &w, u, v, &p);
     FN(disk_direction)(&w, &p, out->direction);
     cosine = FN(disk_cosine)(w.facing, &w, out->direction);
-    FN(disk_density)(s->measure == PSC_MEASURE_AREA, &w, p.rest, cosine, &out->pdf, &out->weight);
+    FN(disk_density)(disk_density_of(w.map), &w, &p, cosine, &out->pdf, &out->weight);
     FN(disk_hit)(&w, &p, out->direction, out->point, out->normal, &out->distance, out->surface);
     return out->weight > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
 }
@@ -153,6 +156,21 @@ AREA_BLOCK(area_concentric_block, PSC_DISK_AREA_CONCENTRIC)
 AREA_BLOCK(area_parallel_block, PSC_DISK_AREA_PARALLEL)
 #undef AREA_BLOCK
 
+static void FN(quasi_block)(const psc_sampler *s, size_t n, const real *restrict u,
+                            const real *restrict v, struct FN(psc_disk_points) *restrict to)
+{
+    struct FN(psc_disk_world) w;
+    size_t i;
+
+    FN(disk_world)(s, &w);
+    for (i = 0; i < n; i++) {
+        struct FN(psc_disk_point) p;
+
+        FN(quasi_point)(w.a, w.b, w.ca2, w.cb2, w.mu1, u[i], v[i], &p);
+        FN(store_point)(to, i, &p);
+    }
+}
+
 static void FN(solved_block)(const psc_sampler *s, size_t n, const real *u, const real *v,
                              struct FN(psc_disk_points) *to)
 {
@@ -179,12 +197,14 @@ static FN(disk_block) FN(block_of)(const struct psc_disk_light *d)
 
     if (d->map >= PSC_DISK_AREA_RADIAL && d->map <= PSC_DISK_AREA_PARALLEL && AREA_FITS(d))
         return area[d->map - PSC_DISK_AREA_RADIAL];
+    if (d->map == PSC_DISK_QUASI_UNIFORM)
+        return FN(quasi_block);
     return d->map <= PSC_DISK_CONCENTRIC && DISK_RULE(d) >= 0 ? fitted[DISK_RULE(d)][d->map]
                                                                : FN(solved_block);
 }
 
 /* Densities of a block with the constants of one loop. */
-PSC_LANE void FN(disk_densities)(int area, enum psc_facing facing,
+PSC_LANE void FN(disk_densities)(enum psc_disk_density density, enum psc_facing facing,
                                  const struct FN(psc_disk_world) *w, size_t n,
                                  const struct FN(psc_disk_points) *restrict points,
                                  struct FN(psc_results) *restrict r)
@@ -194,41 +214,33 @@ PSC_LANE void FN(disk_densities)(int area, enum psc_facing facing,
     size_t i;
 
     for (i = 0; i < n; i++) {
+        const struct FN(psc_disk_point) p = FN(load_point)(points, i);
         const real direction[3] = {r->value[0][i], r->value[1][i], r->value[2][i]};
         const real cosine = FN(disk_cosine)(facing, &own, direction);
 
-        FN(disk_density)(area, &own, points->rest[i], cosine, &pdf[i], &weight[i]);
+        FN(disk_density)(density, &own, &p, cosine, &pdf[i], &weight[i]);
     }
     for (i = 0; i < n; i++)
         r->status[i] = weight[i] > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
 }
 
-static void FN(disk_density_block)(const struct FN(psc_disk_world) *w, int area, size_t n,
+static void FN(disk_density_block)(const struct FN(psc_disk_world) *w, size_t n,
                                    const struct FN(psc_disk_points) *points,
                                    struct FN(psc_results) *r)
 {
-#define DENSITIES(area, facing) FN(disk_densities)(area, facing, w, n, points, r)
-    switch (w->facing) {
-    case PSC_FACING_NONE:
-        if (area)
-            DENSITIES(1, PSC_FACING_NONE);
-        else
-            DENSITIES(0, PSC_FACING_NONE);
-        break;
-    case PSC_FACING_ONE:
-        if (area)
-            DENSITIES(1, PSC_FACING_ONE);
-        else
-            DENSITIES(0, PSC_FACING_ONE);
-        break;
-    default:
-        if (area)
-            DENSITIES(1, PSC_FACING_BOTH);
-        else
-            DENSITIES(0, PSC_FACING_BOTH);
-        break;
+#define FACING_CASES(density)                                                                    \
+    if (w->facing == PSC_FACING_NONE)                                                            \
+        FN(disk_densities)(density, PSC_FACING_NONE, w, n, points, r);                           \
+    else if (w->facing == PSC_FACING_ONE)                                                        \
+        FN(disk_densities)(density, PSC_FACING_ONE, w, n, points, r);                            \
+    else                                                                                         \
+        FN(disk_densities)(density, PSC_FACING_BOTH, w, n, points, r)
+    switch (disk_density_of(w->map)) {
+    case PSC_DISK_BY_AREA: FACING_CASES(PSC_DISK_BY_AREA); break;
+    case PSC_DISK_QUASI: FACING_CASES(PSC_DISK_QUASI); break;
+    default: FACING_CASES(PSC_DISK_CONSTANT); break;
     }
-#undef DENSITIES
+#undef FACING_CASES
 }
 
 static void FN(disk_direction_block)(const struct FN(psc_disk_world) *w, size_t n,
@@ -276,7 +288,7 @@ static void FN(disk_side_block)(const psc_sampler *s, int k, size_t n, const rea
     FN(block_of)(&s->disk)(s, n, u, v, &points);
     FN(disk_world)(s, &w);
     FN(disk_direction_block)(&w, n, &points, r);
-    FN(disk_density_block)(&w, s->measure == PSC_MEASURE_AREA, n, &points, r);
+    FN(disk_density_block)(&w, n, &points, r);
     if (surface)
         FN(disk_surfaces)(&w, n, &points, r);
 }

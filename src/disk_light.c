@@ -92,6 +92,17 @@ static double light_point(const struct psc_disk_light *l, const struct seen *d, 
     return inverse;
 }
 
+/* The cosine and sine of eta, see ellipse_cdf.h; returns how far out the direction is, (x / a)^2 +
+   (y / b)^2. */
+static double eccentric(const struct psc_ellipse *e, const struct seen *d, double *c, double *s)
+{
+    const double p = d->x / e->a, q = d->y / e->b, square = p * p + q * q, r = SQRT(square);
+
+    *c = r > 0.0 ? p / r : 1.0;
+    *s = r > 0.0 ? q / r : 0.0;
+    return square;
+}
+
 double psc_disk_pdf(const psc_sampler *s, const double direction[3], double epsilon)
 {
     const struct psc_disk_light *l = &s->disk;
@@ -102,6 +113,14 @@ double psc_disk_pdf(const psc_sampler *s, const double direction[3], double epsi
         return s->inverse_total;
     if (!look(&l->seen, direction, epsilon, &d))
         return 0.0;
+    if (l->map == PSC_DISK_QUASI_UNIFORM) {
+        const struct psc_ellipse *e = &l->seen;
+        double c, s1;
+
+        eccentric(e, &d, &c, &s1);
+        return 1.0 / (ellipse_quasi_scale(e) * quasi_share_f64(e->ca * e->ca, e->cb * e->cb,
+                                                               ellipse_mu2(e->ca, e->cb), c, s1));
+    }
     if (l->map < PSC_DISK_AREA_RADIAL)
         return s->inverse_total;
     length = 2.0 * light_point(l, &d, &qx, &qy, &rest);
@@ -134,17 +153,19 @@ static void invert_chord(const psc_sampler *s, const struct seen *d, double uv[2
     uv[1] = half > 0.0 ? 0.5 * (1.0 + d->x / half) : 0.5;
 }
 
-static void invert_radial(const psc_sampler *s, int concentric, const struct seen *d, double uv[2])
+static void invert_radial(const psc_sampler *s, const struct seen *d, double uv[2])
 {
     const struct psc_ellipse *e = &s->disk.seen;
-    const double p = d->x / e->a, q = d->y / e->b, square = p * p + q * q, r = SQRT(square);
-    const double c = r > 0.0 ? p / r : 1.0, s1 = r > 0.0 ? q / r : 0.0;
+    double defect, versine, c, s1;
+    const double square = eccentric(e, d, &c, &s1);
     const double cc = e->ca * c, cs = e->cb * s1, z = SQRT(cc * cc + cs * cs);
     const double inner = MIN(square * (1.0 + z) / (1.0 + d->z), 1.0);
-    const double theta = cdf_theta(&s->disk.cdf, angle_of(ABS(c), ABS(s1)), ABS(c), ABS(s1));
-    double defect, versine;
+    const double theta =
+        s->disk.map == PSC_DISK_QUASI_UNIFORM
+            ? angle_of((1.0 + ellipse_mu1(e->ca, e->cb)) * ABS(c), ABS(s1))
+            : cdf_theta(&s->disk.cdf, angle_of(ABS(c), ABS(s1)), ABS(c), ABS(s1));
 
-    if (concentric) {
+    if (s->disk.map == PSC_DISK_CONCENTRIC) {
         sine_cosine_defects_f64(MIN(theta, 0.5 * PSC_PI), &defect, &versine);
         disk_to_square(COPYSIGN(SQRT(inner) * (1.0 - versine), c),
                        COPYSIGN(SQRT(inner) * (theta - defect), s1), uv, uv + 1);
@@ -211,7 +232,7 @@ psc_result psc_disk_invert(const psc_sampler *s, const double direction[3], doub
     } else if (l->map == PSC_DISK_PARALLEL) {
         invert_chord(s, &d, uv);
     } else {
-        invert_radial(s, l->map == PSC_DISK_CONCENTRIC, &d, uv);
+        invert_radial(s, &d, uv);
     }
     for (i = 0; i < 2; i++)
         uv[i] = MIN(MAX(uv[i], 0.0), 1.0);

@@ -18,6 +18,7 @@ struct FN(psc_disk_point) {
 /* The constants of a light in the precision of the kernel. */
 struct FN(psc_disk_world) {
     real a, ca, b, cb, per_at, per_bt;
+    real ca2, cb2, mu1, mu2, quasi_scale, inverse_quasi_scale; /* see quasi_point() */
     real x[3], y[3], z[3], axis[3];
     real near, far, turn[2], side[2][2], reach;
     real center[3], across[2][3], normal[3];
@@ -40,6 +41,12 @@ PSC_LANE void FN(disk_world)(const psc_sampler *s, struct FN(psc_disk_world) *w)
     w->ca = (real)e->ca;
     w->b = (real)e->b;
     w->cb = (real)e->cb;
+    w->ca2 = (real)(e->ca * e->ca);
+    w->cb2 = (real)(e->cb * e->cb);
+    w->mu1 = (real)ellipse_mu1(e->ca, e->cb);
+    w->mu2 = (real)ellipse_mu2(e->ca, e->cb);
+    w->quasi_scale = (real)ellipse_quasi_scale(e);
+    w->inverse_quasi_scale = (real)(1.0 / ellipse_quasi_scale(e));
     w->per_at = (real)(e->ca / e->a);
     w->per_bt = (real)(e->cb / e->b);
     w->near = (real)d->near;
@@ -138,6 +145,33 @@ PSC_LANE void FN(fitted_point)(int m, size_t stride, const real *fit, int concen
     FN(cone_point)(a, b, inner, rest, c * FN(power_sum)(m, stride, fit, x),
                    s * FN(power_sum)(m, stride, fit + rows, x),
                    FN(power_sum)(m, stride, fit + 2 * rows, x), p);
+}
+
+/*
+ * The radial map with the first guess for eta in place of the solution, tan eta = mu tan 2 pi u, and
+ * its exact density: that of the radial map is constant, and differs by a factor 1 + z over
+ * d eta / d u. mu^2 = (1 + ca) / (1 + cb) makes both ends of a quadrant right.
+ */
+PSC_LANE void FN(quasi_point)(real a, real b, real ca2, real cb2, real mu1, real u, real v,
+                              struct FN(psc_disk_point) *p)
+{
+    real c, s, ms, shrink;
+
+    FN(full_turn)(u, &c, &s);
+    ms = s + mu1 * s;
+    shrink = K(1.0) / SQRT(c * c + ms * ms);
+    c = c * shrink;
+    s = ms * shrink;
+    FN(cone_point)(a, b, K(1.0) - v, v, c, s,
+                   K(1.0) / (K(1.0) + SQRT(ca2 * (c * c) + cb2 * (s * s))), p);
+}
+
+/* Solid angle per area of the square: scale (mu^2 c^2 + s^2) / (1 + z), scale = 2 pi a b / mu. */
+PSC_LANE real FN(quasi_share)(real ca2, real cb2, real mu2, real c, real s)
+{
+    const real c2 = c * c, s2 = s * s;
+
+    return (mu2 * c2 + s2) / (K(1.0) + SQRT(ca2 * c2 + cb2 * s2));
 }
 
 /* How far in front of the receiver the direction goes, z, and z^2 (1 - U^2 - V^2) of

@@ -27,6 +27,7 @@ enum psc_disk_map {
     PSC_DISK_RADIAL,
     PSC_DISK_CONCENTRIC,
     PSC_DISK_PARALLEL,
+    PSC_DISK_QUASI_UNIFORM,
     PSC_DISK_AREA_RADIAL,
     PSC_DISK_AREA_CONCENTRIC,
     PSC_DISK_AREA_PARALLEL,
@@ -35,6 +36,16 @@ enum psc_disk_map {
     PSC_DISK_AROUND_CONCENTRIC,
     PSC_DISK_AROUND_PARALLEL
 };
+
+/* What the density of a direction follows from. */
+enum psc_disk_density { PSC_DISK_CONSTANT, PSC_DISK_BY_AREA, PSC_DISK_QUASI };
+
+static inline enum psc_disk_density disk_density_of(enum psc_disk_map map)
+{
+    return map == PSC_DISK_QUASI_UNIFORM ? PSC_DISK_QUASI
+           : map >= PSC_DISK_AREA_RADIAL && map <= PSC_DISK_AREA_PARALLEL ? PSC_DISK_BY_AREA
+                                                                          : PSC_DISK_CONSTANT;
+}
 
 struct psc_disk_light {
     struct psc_ellipse seen;

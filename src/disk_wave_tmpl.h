@@ -44,8 +44,22 @@ struct FN(psc_fits) {
 DISK_RULES(RULE_LOOP)
 #undef RULE_LOOP
 
+static void FN(sample_quasi)(struct FN(psc_fits) *restrict k, size_t n, int concentric)
+{
+    size_t e;
+
+    (void)concentric;
+    for (e = 0; e < n; e++) {
+        struct FN(psc_disk_point) p;
+
+        FN(quasi_point)(k->a[e], k->b[e], k->ca2[e], k->cb2[e], k->mu1[e], k->u[e], k->v[e], &p);
+        FN(store_point)(&k->points, e, &p);
+    }
+}
+
 #define DISK_COUNT_RULE(i, m, steps, least) +1
-enum { FN(RULES) = 0 DISK_RULES(DISK_COUNT_RULE) };
+/* The rules of interpolation, and the map that needs none. */
+enum { FN(QUASI_LOOP) = 0 DISK_RULES(DISK_COUNT_RULE), FN(LOOPS) };
 #undef DISK_COUNT_RULE
 
 /* What is seen of a block. */
@@ -53,22 +67,22 @@ struct FN(psc_disk_views) {
     struct FN(psc_disk_world) world[PSC_BLOCK];
     struct FN(psc_disk_point) point[PSC_BLOCK];
     struct psc_ellipse seen[PSC_BLOCK];
-    uint32_t index[FN(RULES)][PSC_BLOCK]; /* by rule */
-    size_t count[FN(RULES)];
+    uint32_t index[FN(LOOPS)][PSC_BLOCK]; /* by loop */
+    size_t count[FN(LOOPS)];
 };
 
-static void FN(wave_rule)(struct FN(psc_disk_views) *o, int rule, int concentric, const real *u,
+static void FN(wave_loop)(struct FN(psc_disk_views) *o, int loop, int concentric, const real *u,
                           const real *v)
 {
 #define DISK_ROW(i, m, steps, least) FN(fit_and_sample_##m),
-    static void (*const loops[])(struct FN(psc_fits) *, size_t, int) = {DISK_RULES(DISK_ROW)};
+    static void (*const loops[])(struct FN(psc_fits) *, size_t, int) = {DISK_RULES(DISK_ROW) FN(sample_quasi)};
 #undef DISK_ROW
-    const size_t n = o->count[rule];
+    const size_t n = o->count[loop];
     struct FN(psc_fits) k;
     size_t e;
 
     for (e = 0; e < n; e++) {
-        const uint32_t i = o->index[rule][e];
+        const uint32_t i = o->index[loop][e];
         const struct psc_ellipse *seen = o->seen + i;
 
         k.ca2[e] = (real)(seen->ca * seen->ca);
@@ -80,9 +94,9 @@ static void FN(wave_rule)(struct FN(psc_disk_views) *o, int rule, int concentric
         k.u[e] = u[i];
         k.v[e] = v[i];
     }
-    loops[rule](&k, n, concentric);
+    loops[loop](&k, n, concentric);
     for (e = 0; e < n; e++)
-        o->point[o->index[rule][e]] = FN(load_point)(&k.points, e);
+        o->point[o->index[loop][e]] = FN(load_point)(&k.points, e);
 }
 
 typedef psc_result (*FN(disk_see))(psc_sampler *, const struct psc_request *, const double *);
@@ -110,7 +124,7 @@ static void FN(wave_see)(const struct psc_wave *wave, FN(disk_see) see, size_t i
     const double normal[3] = {wave->normal[0][i], wave->normal[1][i], wave->normal[2][i]};
     double geometry[PSC_MAX_GEOMETRY];
     struct psc_request request;
-    int k, rule;
+    int k, loop = -1;
 
     *status = PSC_PENDING;
     if (!FN(wave_checks)(wave, i))
@@ -136,10 +150,13 @@ static void FN(wave_see)(const struct psc_wave *wave, FN(disk_see) see, size_t i
     }
     s->inverse_total = 1.0 / s->total;
     FN(disk_world)(s, o->world + i);
-    rule = s->disk.map <= PSC_DISK_CONCENTRIC && s->disk.seen.ca > 0.0 ? DISK_RULE(&s->disk) : -1;
-    if (rule >= 0) {
+    if (s->disk.map == PSC_DISK_QUASI_UNIFORM)
+        loop = FN(QUASI_LOOP);
+    else if (s->disk.map <= PSC_DISK_CONCENTRIC && s->disk.seen.ca > 0.0)
+        loop = DISK_RULE(&s->disk);
+    if (loop >= 0) {
         o->seen[i] = s->disk.seen;
-        o->index[rule][o->count[rule]++] = (uint32_t)i;
+        o->index[loop][o->count[loop]++] = (uint32_t)i;
     } else {
         disk_fit(s);
         FN(disk_point)(s, o->world + i, u, v, o->point + i);
@@ -149,7 +166,6 @@ static void FN(wave_see)(const struct psc_wave *wave, FN(disk_see) see, size_t i
 static void FN(wave_finish)(const struct psc_wave *wave, const struct FN(psc_disk_views) *o,
                             struct FN(psc_results) *r)
 {
-    const int area = wave->measure == PSC_MEASURE_AREA;
     real direction[3], point[3], normal[3], distance, surface[2], cosine;
     size_t i;
     int c;
@@ -162,7 +178,7 @@ static void FN(wave_finish)(const struct psc_wave *wave, const struct FN(psc_dis
             continue;
         FN(disk_direction)(w, p, direction);
         cosine = FN(disk_cosine)(wave->facing, w, direction);
-        FN(disk_density)(area, w, p->rest, cosine, &r->value[PSC_PDF][i],
+        FN(disk_density)(disk_density_of(w->map), w, p, cosine, &r->value[PSC_PDF][i],
                          &r->value[PSC_WEIGHT][i]);
         for (c = 0; c < 3; c++)
             r->value[c][i] = direction[c];
@@ -180,7 +196,7 @@ static void FN(disk_waves)(const struct psc_wave *wave, FN(disk_see) see, const 
     struct FN(psc_disk_views) o;
     psc_sampler s;
     size_t i;
-    int rule;
+    int loop;
 
     memset(o.count, 0, sizeof o.count);
     s.measure = wave->measure;
@@ -188,9 +204,9 @@ static void FN(disk_waves)(const struct psc_wave *wave, FN(disk_see) see, const 
     s.facing = wave->facing;
     for (i = 0; i < wave->count; i++)
         FN(wave_see)(wave, see, i, u[i], v[i], &s, &o, r->status + i);
-    for (rule = 0; rule < FN(RULES); rule++)
-        if (o.count[rule] > 0)
-            FN(wave_rule)(&o, rule, wave->map == PSC_MAP_CONCENTRIC, u, v);
+    for (loop = 0; loop < FN(LOOPS); loop++)
+        if (o.count[loop] > 0)
+            FN(wave_loop)(&o, loop, wave->map == PSC_MAP_CONCENTRIC, u, v);
     FN(wave_finish)(wave, &o, r);
 }
 

@@ -25,14 +25,25 @@ PSC_LANE real FN(disk_cosine)(enum psc_facing facing, const struct FN(psc_disk_w
                                       : ABS(height);
 }
 
-/* Area to solid angle: distance squared over the cosine at the light. */
-PSC_LANE void FN(disk_density)(int area, const struct FN(psc_disk_world) *w, real length, real cosine,
-                               real *pdf, real *weight)
+/* By area: distance squared over the cosine at the light takes that to solid angle. */
+PSC_LANE void FN(disk_density)(enum psc_disk_density density, const struct FN(psc_disk_world) *w,
+                               const struct FN(psc_disk_point) *p, real cosine, real *pdf,
+                               real *weight)
 {
-    const real cube = length * length * length;
+    if (density == PSC_DISK_BY_AREA) {
+        const real cube = p->rest * p->rest * p->rest;
 
-    *pdf = area ? cube / w->area_scale : w->inverse_total;
-    *weight = cosine * (area ? w->area_scale / cube : w->total);
+        *pdf = cube / w->area_scale;
+        *weight = cosine * (w->area_scale / cube);
+    } else if (density == PSC_DISK_QUASI) {
+        const real share = FN(quasi_share)(w->ca2, w->cb2, w->mu2, p->c, p->s);
+
+        *pdf = w->inverse_quasi_scale / share;
+        *weight = cosine * (w->quasi_scale * share);
+    } else {
+        *pdf = w->inverse_total;
+        *weight = cosine * w->total;
+    }
 }
 
 /* The hit of an ellipsoid from inside, where the direction has the inverse row products `w`. */

@@ -58,6 +58,25 @@ static inline double ellipse_total(const struct psc_ellipse *e)
                                e->ca >= PSC_ELLIPSE_REGULAR * e->cb ? PSC_REGULAR_STEPS : 12);
 }
 
+/* mu^2 = (1 + ca) / (1 + cb): tan eta is about mu tan theta, theta being 2 pi times the share of the
+   sectors up to eta. */
+PSC_LANE double ellipse_mu2(double ca, double cb)
+{
+    return (1.0 + ca) / (1.0 + cb);
+}
+
+/* mu - 1 */
+PSC_LANE double ellipse_mu1(double ca, double cb)
+{
+    return (ca - cb) / ((1.0 + cb) * (1.0 + SQRT(ellipse_mu2(ca, cb))));
+}
+
+/* See quasi_share() in disk_map_tmpl.h. */
+PSC_LANE double ellipse_quasi_scale(const struct psc_ellipse *e)
+{
+    return 2.0 * PSC_PI * e->a * e->b / SQRT(ellipse_mu2(e->ca, e->cb));
+}
+
 #define PSC_LANDEN_LEVELS 10
 #define PSC_CDF_TERMS 24
 
@@ -69,7 +88,7 @@ static inline double ellipse_total(const struct psc_ellipse *e)
 struct psc_cdf {
     double ca, cb;
     double mean; /* of 1 / (1 + z) */
-    double mu;   /* Theta(eta) is about atan(tan(eta) / mu) */
+    double mu;   /* see ellipse_mu2() */
     int levels, terms;
     struct psc_level {
         double x, y, half, x1, y1, factor, root;
@@ -87,7 +106,7 @@ static inline void cdf_build(struct psc_cdf *f, const struct psc_ellipse *e)
 
     f->ca = e->ca;
     f->cb = e->cb;
-    f->mu = SQRT((1.0 + e->ca) / (1.0 + e->cb));
+    f->mu = SQRT(ellipse_mu2(e->ca, e->cb));
     f->levels = 0;
     if (f->terms > 0)
         return;

@@ -39,7 +39,7 @@ psc_result psc_check_technique(const psc_technique *technique, struct psc_reques
         return result;
     if (technique->measure > PSC_MEASURE_VISIBLE_AREA)
         return PSC_ERROR_UNKNOWN_MEASURE;
-    if (technique->map > PSC_MAP_CONCENTRIC)
+    if (technique->map > PSC_MAP_QUASI_UNIFORM)
         return PSC_ERROR_UNKNOWN_MAP;
     if (technique->flags & ~(uint32_t)PSC_TECHNIQUE_ONE_SIDED)
         return PSC_ERROR_UNKNOWN_FLAG;

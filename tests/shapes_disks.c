@@ -87,6 +87,7 @@ static const struct test_technique flat_techniques[] = {
     {"solid angle, radial", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL},
     {"solid angle, parallel", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_PARALLEL},
     {"solid angle, concentric", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_CONCENTRIC},
+    {"solid angle, quasi-uniform", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_QUASI_UNIFORM},
     {"area, radial", PSC_MEASURE_AREA, PSC_MAP_RADIAL},
     {"area, parallel", PSC_MEASURE_AREA, PSC_MAP_PARALLEL},
     {"area, concentric", PSC_MEASURE_AREA, PSC_MAP_CONCENTRIC},
@@ -266,6 +267,7 @@ static const struct test_technique solid_techniques[] = {
     {"solid angle, radial", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL},
     {"solid angle, parallel", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_PARALLEL},
     {"solid angle, concentric", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_CONCENTRIC},
+    {"solid angle, quasi-uniform", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_QUASI_UNIFORM},
     {NULL, 0, 0},
 };
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
  * Equal areas: the images of the cells of an N x N grid on the square have the same measure,
- * one N^2-th of the total.
+ * one N^2-th of the total. And the pdf, also of maps that are only nearly uniform, is one over the
+ * Jacobian of the map at every point.
  *
  * The area of an image is the integral around its outline in a plane to which the measure is
  * carried over exactly: the tangent plane of the receiver for projected solid angle (projection
@@ -12,7 +13,7 @@
 #include "vectors.h"
 #include "worst.h"
 
-enum { LIGHTS = 25, N = 6, STEPS = 256 };
+enum { LIGHTS = 25, N = 6, STEPS = 256, POINTS = 40 };
 
 struct plane {
     const struct light *light;
@@ -150,13 +151,67 @@ static void cells(const struct shape *shape, const struct test_technique *what)
     worst_report(&worst, 1e-6, "%s, %s: area of a cell, relative", shape->name, what->name);
 }
 
+/* The solid angle per area of the square, from difference quotients. */
+static double jacobian(const psc_sampler *sampler, double u, double v)
+{
+    const double step = 1e-5;
+    double along[2][3], area[3];
+    int i, k;
+
+    for (k = 0; k < 2; k++) {
+        const double du = (k == 0) * step, dv = (k == 1) * step;
+        psc_light_sample_f64 a, b;
+
+        psc_sample_f64(sampler, u - du, v - dv, &a);
+        psc_sample_f64(sampler, u + du, v + dv, &b);
+        for (i = 0; i < 3; i++)
+            along[k][i] = (b.direction[i] - a.direction[i]) / (2.0 * step);
+    }
+    cross(along[0], along[1], area);
+    return sqrt(dot(area, area));
+}
+
+/* Not next to the limb of a closed light, where a density by area changes too fast for that. */
+static void densities(const struct shape *shape, const struct test_technique *what)
+{
+    const int closed = !shape->flat && what->measure >= PSC_MEASURE_AREA;
+    struct worst worst = {0};
+    uint64_t seed = 71;
+    int i, j;
+
+    for (i = 0; i < LIGHTS; i++) {
+        struct test_sampler s;
+        struct light light;
+
+        random_light(&seed, shape, what, &light);
+        light.flags = 0; /* no edge of the maps of both sides inside the square */
+        if (build_light(make_sampler(&s), &light) != PSC_SUCCESS)
+            continue;
+        for (j = 0; j < POINTS; j++) {
+            const double u = random_between(&seed, 0.01, 0.99);
+            const double v = random_between(&seed, 0.01, 0.99);
+            psc_light_sample_f64 sample;
+
+            psc_sample_f64(s.sampler, u, v, &sample);
+            if (closed && fabs(dot(sample.direction, sample.normal)) < 0.05)
+                continue;
+            worst_add(&worst, fabs(sample.pdf * jacobian(s.sampler, u, v) - 1.0),
+                      "light %d, u %a v %a: %s", i, u, v, describe_light(&light));
+        }
+    }
+    worst_report(&worst, 1e-6, "%s, %s: pdf by the Jacobian, relative", shape->name, what->name);
+}
+
 int main(void)
 {
     const struct test_technique *what;
     int i;
 
     for (i = 0; shapes[i]; i++)
-        for (FOR_TECHNIQUES(shapes[i], what))
-            cells(shapes[i], what);
+        for (FOR_TECHNIQUES(shapes[i], what)) {
+            if (!is_uneven(what))
+                cells(shapes[i], what);
+            densities(shapes[i], what);
+        }
     return tap_done();
 }

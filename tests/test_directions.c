@@ -25,11 +25,16 @@ static int cell_of(const struct cone *cone, const double w[3])
 }
 
 /* The density of a direction that hits the light, but for a factor. */
-static double density(const struct light *light, const double w[3], double distance)
+static double density(const struct light *light, const psc_sampler *sampler, const double w[3],
+                      double distance)
 {
-    double point[3], normal[3];
+    double point[3], normal[3], pdf = NAN;
     int i;
 
+    if (is_uneven(light->what)) {
+        psc_pdf_f64(sampler, w, &pdf);
+        return pdf;
+    }
     switch (light->what->measure) {
     case PSC_MEASURE_SOLID_ANGLE: return 1.0;
     case PSC_MEASURE_PROJECTED_SOLID_ANGLE: return cosine_at(light, w);
@@ -41,8 +46,9 @@ static double density(const struct light *light, const double w[3], double dista
     }
 }
 
-static void expect(const struct light *light, const struct cone *cone, double expected[CELLS],
-                   double touched[CELLS])
+/* Returns the integral of the density over all directions that hit. */
+static double expect(const struct light *light, const psc_sampler *sampler,
+                     const struct cone *cone, double expected[CELLS], double touched[CELLS])
 {
     double total = 0.0;
     int i;
@@ -58,13 +64,14 @@ static void expect(const struct light *light, const struct cone *cone, double ex
         if (distance < 0.0)
             continue;
         cell = cell_of(cone, w);
-        d = density(light, w, distance);
+        d = density(light, sampler, w, distance);
         expected[cell] += d;
         touched[cell] += 1.0;
         total += d;
     }
     for (i = 0; i < CELLS; i++)
         expected[i] /= total;
+    return total * cone->solid_angle / RAYS;
 }
 
 /* Samples of the near side. */
@@ -99,12 +106,15 @@ static void test(int bits, int number, const struct light *light, const psc_samp
     static double expected[CELLS], touched[CELLS];
     static long counted[CELLS];
     struct cone cone;
-    double x2, limit;
+    double x2, limit, integral;
     long all, stray = 0;
     int freedom, i;
 
     make_cone(light, &cone);
-    expect(light, &cone, expected, touched);
+    integral = expect(light, sampler, &cone, expected, touched);
+    if (is_uneven(light->what))
+        tap_ok(fabs(integral - 1.0) < 2e-3, "%s, %s, light %d: integral of the pdf %.4f",
+               light->shape->name, light->what->name, number, integral);
     all = count(bits, light, sampler, &cone, counted);
     for (i = 0; i < CELLS; i++) {
         /* a cell whose corner the light just reaches may have been missed by all rays */

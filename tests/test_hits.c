@@ -191,7 +191,8 @@ static void hits(const struct shape *shape, const struct test_technique *what, i
                  what->name, bits)
     REPORT(unit, 8.0, "unit direction");
     REPORT(normal_unit, 16.0, "unit normal");
-    REPORT(density, 32.0, "density of the measure");
+    if (!is_uneven(what)) /* those: test_cells.c */
+        REPORT(density, 32.0, "density of the measure");
     REPORT(weight, 32.0, "weight times pdf");
     REPORT(culled, 32.0, "on the wrong side, or culled on the right one");
     if (!is_distant(shape)) {

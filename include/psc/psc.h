@@ -155,7 +155,11 @@ enum {
     PSC_MAP_PARALLEL = 1,
     /** Low distortion: the square is first laid over a disk by [SC97], so that neighbouring
         points stay neighbours all round. */
-    PSC_MAP_CONCENTRIC = 2
+    PSC_MAP_CONCENTRIC = 2,
+    /** Disks and ellipsoids: the radial map with a guess in place of its solution, a build without
+        any series, and its exact density, which is not constant but nearly so. See
+        psc_build_disk() for how nearly. */
+    PSC_MAP_QUASI_UNIFORM = 3
 };
 
 /**
@@ -172,6 +176,7 @@ enum {
  *     radial                      x                      x
  *     parallel                    x                      x
  *     concentric                  x                      x
+ *     quasi-uniform               x
  *
  *                        triangle, rectangle, polygon          rectangle only
  *                      solid angle              area        solid angle    area
@@ -306,6 +311,13 @@ PSC_API psc_result psc_build_cap(psc_sampler *sampler, const psc_technique *tech
  * equation 22, the concentric one 1 - e2 = r^2. Area has the same three maps on the disk itself,
  * along the axes of psc_light_sample_f64.surface: s is along (-nz, 0, nx) if |nx| > |ny|, else
  * along (0, nz, -ny), and t along n x s.
+ *
+ * The quasi-uniform map is the radial one with the angle of e1 taken from tan(phi') =
+ * mu tan(2 pi e1) in the eccentric anomaly phi', mu^2 = (1 + cos alpha) / (1 + cos beta), alpha and
+ * beta the semi-arcs. Its pdf is exact and not constant. Times the solid angle it lies, for any beta,
+ * within 1 +- 7.3e-10 at alpha = 1 degree, 4.6e-7 at 5, 3.8e-5 at 15, 6.3e-4 at 30, 0.0035 at 45,
+ * 0.013 at 60, 0.036 at 75, and between 0.90 and 1.09 at the worst. Where the middle is reached
+ * (v = 1), where directions of every angle meet, the pdf of a direction is that at u = 0.
  * @param normal  any length but 0; the samples' normal
  * @param radius  finite; 0 is PSC_EMPTY
  * @return as psc_build_sphere(), with _ZERO_VECTOR also for the disk's normal; PSC_EMPTY also for a

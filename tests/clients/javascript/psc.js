@@ -174,7 +174,7 @@ module.exports = path => {
 
     return {
         SOLID_ANGLE: 0, PROJECTED_SOLID_ANGLE: 1, AREA: 2, VISIBLE_AREA: 3,
-        RADIAL: 0, PARALLEL: 1, CONCENTRIC: 2,
+        RADIAL: 0, PARALLEL: 1, CONCENTRIC: 2, QUASI_UNIFORM: 3,
         version: calls.version,
         view,
         sphere: (center, radius) => ({ shape: 'sphere', parts: [center, radius] }),

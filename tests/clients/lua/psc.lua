@@ -34,6 +34,7 @@ return function(library, header)
         RADIAL = C.PSC_MAP_RADIAL,
         PARALLEL = C.PSC_MAP_PARALLEL,
         CONCENTRIC = C.PSC_MAP_CONCENTRIC,
+        QUASI_UNIFORM = C.PSC_MAP_QUASI_UNIFORM,
         vector = ffi.typeof 'double[3]',
     }
 

@@ -17,7 +17,7 @@ import ctypes
 import numpy
 
 SOLID_ANGLE, PROJECTED_SOLID_ANGLE, AREA, VISIBLE_AREA = range(4)
-RADIAL, PARALLEL, CONCENTRIC = range(3)
+RADIAL, PARALLEL, CONCENTRIC, QUASI_UNIFORM = range(4)
 ONE_SIDED = 1  # of a light
 TWO_SIDED = 1  # of a receiver
 SUCCESS, EMPTY, CULLED, OUTSIDE = range(4)

@@ -130,6 +130,7 @@ pub enum Map {
     Radial = 0,
     Parallel = 1,
     Concentric = 2,
+    QuasiUniform = 3,
 }
 
 #[derive(Clone, Copy)]
