@@ -38,8 +38,11 @@ using vector = std::array<double, 3>;
 
 /** A psc_technique that knows its size; the default is solid angle, radial. */
 struct technique : psc_technique {
-    explicit technique(psc_measure measure_ = PSC_MEASURE_SOLID_ANGLE,
-                       psc_map map_ = PSC_MAP_RADIAL, std::uint32_t flags_ = 0) noexcept
+    technique() noexcept : technique(PSC_MEASURE_SOLID_ANGLE)
+    {
+    }
+    explicit technique(psc_measure measure_, psc_map map_ = PSC_MAP_RADIAL,
+                       std::uint32_t flags_ = 0) noexcept
         : psc_technique{sizeof(psc_technique), measure_, map_, flags_}
     {
     }
@@ -92,6 +95,49 @@ struct cap {
     static constexpr auto sample_n_f64 = psc_cap_sample_n_f64;
 };
 
+/** See psc_build_disk(). */
+struct disk {
+    vector center, normal;
+    double radius;
+
+    auto parts() const noexcept
+    {
+        return std::make_tuple(center.data(), normal.data(), radius);
+    }
+    static constexpr auto build = psc_build_disk;
+    static constexpr auto solid_angle = psc_disk_solid_angle;
+    static constexpr auto sample_n_f32 = psc_disk_sample_n_f32;
+    static constexpr auto sample_n_f64 = psc_disk_sample_n_f64;
+};
+
+/** See psc_build_ellipse(). */
+struct ellipse {
+    vector center, axis_u, axis_v;
+
+    auto parts() const noexcept
+    {
+        return std::make_tuple(center.data(), axis_u.data(), axis_v.data());
+    }
+    static constexpr auto build = psc_build_ellipse;
+    static constexpr auto solid_angle = psc_ellipse_solid_angle;
+    static constexpr auto sample_n_f32 = psc_ellipse_sample_n_f32;
+    static constexpr auto sample_n_f64 = psc_ellipse_sample_n_f64;
+};
+
+/** See psc_build_ellipsoid(). */
+struct ellipsoid {
+    vector center, axis_u, axis_v, axis_w;
+
+    auto parts() const noexcept
+    {
+        return std::make_tuple(center.data(), axis_u.data(), axis_v.data(), axis_w.data());
+    }
+    static constexpr auto build = psc_build_ellipsoid;
+    static constexpr auto solid_angle = psc_ellipsoid_solid_angle;
+    static constexpr auto sample_n_f32 = psc_ellipsoid_sample_n_f32;
+    static constexpr auto sample_n_f64 = psc_ellipsoid_sample_n_f64;
+};
+
 /** See psc_build_triangle(). */
 struct triangle {
     vector v0, v1, v2;
@@ -102,6 +148,38 @@ struct triangle {
     }
     static constexpr auto build = psc_build_triangle;
     static constexpr auto solid_angle = psc_triangle_solid_angle;
+    static constexpr auto sample_n_f32 = psc_triangle_sample_n_f32;
+    static constexpr auto sample_n_f64 = psc_triangle_sample_n_f64;
+};
+
+/** See psc_build_rectangle(). */
+struct rectangle {
+    vector corner, edge_u, edge_v;
+
+    auto parts() const noexcept
+    {
+        return std::make_tuple(corner.data(), edge_u.data(), edge_v.data());
+    }
+    static constexpr auto build = psc_build_rectangle;
+    static constexpr auto solid_angle = psc_rectangle_solid_angle;
+    static constexpr auto sample_n_f32 = psc_rectangle_sample_n_f32;
+    static constexpr auto sample_n_f64 = psc_rectangle_sample_n_f64;
+};
+
+/** See psc_build_polygon(). The vertices are somebody else's, and must live as long. */
+struct polygon {
+    const vector *vertices;
+    std::size_t count;
+
+    auto parts() const noexcept
+    {
+        return std::make_tuple(count, vertices ? vertices->data() : nullptr,
+                               std::ptrdiff_t(sizeof(vector)));
+    }
+    static constexpr auto build = psc_build_polygon;
+    static constexpr auto solid_angle = psc_polygon_solid_angle;
+    static constexpr auto sample_n_f32 = psc_polygon_sample_n_f32;
+    static constexpr auto sample_n_f64 = psc_polygon_sample_n_f64;
 };
 
 /** Builds the sampler of a light, whichever it is. */
@@ -203,22 +281,39 @@ struct receivers
     }
 };
 
+namespace detail {
+
+/* A part of the lights of a wavefront as a call of psc.h takes it. */
+template <class Input> struct part {
+    static const Input *pass(const Input &view) noexcept
+    {
+        return &view;
+    }
+    static const Input *pass(const Input *views) noexcept
+    {
+        return views;
+    }
+    static std::size_t pass(std::size_t number) noexcept
+    {
+        return number;
+    }
+};
+
+} // namespace detail
+
 /** One build and one sample per element: sample_n<psc::sphere>(technique, count, from, uv, out,
-    centers, radii), with a view for each part of the light. */
-template <class Light, class Real, class... Views>
+    centers, radii), with a view for each part of the light. Polygons take the number of their
+    vertices and an array with a psc_input_f32 or psc_input_f64 for each. */
+template <class Light, class Real, class... Parts>
 psc_result sample_n(const psc_technique &technique, std::size_t count, const receivers<Real> &from,
                     const typename view<Real>::input &uv, const samples<Real> &out,
-                    const Views &...parts) noexcept
+                    const Parts &...parts) noexcept
 {
-    using input = typename view<Real>::input;
-    const auto call = [&](const auto *...part) {
-        if constexpr (std::is_same_v<Real, float>)
-            return Light::sample_n_f32(&technique, count, &from, part..., &uv, &out);
-        else
-            return Light::sample_n_f64(&technique, count, &from, part..., &uv, &out);
-    };
-    const auto address = [](const input &part) { return &part; };
-    return call(address(parts)...);
+    using part = detail::part<typename view<Real>::input>;
+    if constexpr (std::is_same_v<Real, float>)
+        return Light::sample_n_f32(&technique, count, &from, part::pass(parts)..., &uv, &out);
+    else
+        return Light::sample_n_f64(&technique, count, &from, part::pass(parts)..., &uv, &out);
 }
 
 /* ---- The sampler ------------------------------------------------------------------------ */

@@ -8,6 +8,9 @@
 //         const s = sampler.sample(0.25, 0.75);
 //         sampler.sampleN(count, view(uv, 2), { direction: view(directions, 3) });
 //     }
+//     psc.sampleN(count, { position: view(positions, 3), normal: view(normals, 3) },
+//                 psc.sphere(view(centers, 3), view(radii, 1)), view(uv, 2),
+//                 { weight: view(weights, 1) });
 //
 // A view is { array, width, offset, stride }: so many adjacent numbers per element, the first of
 // them at offset, the next element stride numbers further (0 repeats one).
@@ -34,6 +37,21 @@ koffi.struct('psc_receivers', {
     struct_size: 'uint32_t', flags: 'uint32_t', position: 'psc_view', normal: 'psc_view',
 });
 
+koffi.struct('psc_description', {
+    struct_size: 'uint32_t', shape: 'uint32_t', measure: 'uint32_t', map: 'uint32_t',
+    visibility: 'uint32_t', reserved: 'uint32_t',
+});
+
+// What the calls of each shape take: so many numbers each. A polygon takes its vertices.
+const SHAPES = {
+    sphere: [3, 1], cap: [3, 1], disk: [3, 3, 1], ellipse: [3, 3, 3], ellipsoid: [3, 3, 3, 3],
+    triangle: [3, 3, 3], rectangle: [3, 3, 3], polygon: null,
+};
+const QUESTIONS = {
+    total: 'total', solidAngle: 'solid_angle', projectedSolidAngle: 'projected_solid_angle',
+    formFactor: 'form_factor', area: 'area',
+};
+
 const EMPTY = 1, OUTSIDE = 3;
 const NOWHERE = { component: [null, null, null], stride: 0 };
 
@@ -54,6 +72,14 @@ function pointers({ array, width, offset, stride }, count)
         component: [0, 1, 2].map(k => k < width ? first + BigInt(k * size) : null),
         stride: stride * size,
     };
+}
+
+// The type that two views have in common.
+function same(a, b)
+{
+    if (a.array.constructor !== b.array.constructor)
+        throw new TypeError('the arrays are of two types');
+    return a.array.constructor;
 }
 
 const FIELDS = { direction: 3, pdf: 1, point: 3, distance: 1, normal: 3, weight: 1, surface: 2 };
@@ -82,23 +108,45 @@ module.exports = path => {
         version: library.func('uint32_t psc_version()'),
         create: library.func('int32_t psc_sampler_create(void *, _Out_ psc_sampler **)'),
         destroy: library.func('void psc_sampler_destroy(psc_sampler *)'),
-        sphere: library.func('int32_t psc_build_sphere(psc_sampler *, psc_technique *, ' +
-                             'psc_receiver *, const double *, double)'),
-        cap: library.func('int32_t psc_build_cap(psc_sampler *, psc_technique *, ' +
-                          'psc_receiver *, const double *, double)'),
+        build: {}, solidAngle: {}, formFactor: {}, sampler: {},
+        describe: library.func('int32_t psc_sampler_describe(psc_sampler *, ' +
+                               '_Inout_ psc_description *)'),
         sample: library.func('int32_t psc_sample_f64(psc_sampler *, double, double, double *)'),
         pdf: library.func('int32_t psc_pdf_f64(psc_sampler *, const double *, _Out_ double *)'),
         invert: library.func('int32_t psc_invert_f64(psc_sampler *, const double *, double *)'),
-        total: library.func('int32_t psc_sampler_total(psc_sampler *, _Out_ double *)'),
     };
+    for (const [name, words] of Object.entries(QUESTIONS))
+        calls.sampler[name] =
+            library.func(`int32_t psc_sampler_${words}(psc_sampler *, _Out_ double *)`);
+    for (const [shape, widths] of Object.entries(SHAPES)) {
+        const parts = widths ? widths.map(n => n === 3 ? 'const double *' : 'double').join(', ')
+                             : 'size_t, const double *, intptr_t';
+        calls.build[shape] = library.func(
+            `int32_t psc_build_${shape}(psc_sampler *, psc_technique *, psc_receiver *, ${parts})`);
+        calls.solidAngle[shape] = library.func(
+            `int32_t psc_${shape}_solid_angle(` +
+            (shape === 'cap' ? 'double' : `const double *, ${parts}`) + ', _Out_ double *)');
+    }
+    for (const shape of ['sphere', 'cap'])
+        calls.formFactor[shape] = library.func(
+            `int32_t psc_${shape}_form_factor(psc_receiver *, const double *, double, ` +
+            '_Out_ double *)');
     for (const [bits, Numbers] of [['f32', Float32Array], ['f64', Float64Array]]) {
-        calls[Numbers.name] = {
+        const many = calls[Numbers.name] = {
             sampleN: library.func(`int32_t psc_sample_n_${bits}(psc_sampler *, size_t, ` +
                                   'psc_view *, psc_samples *)'),
-            sphereSampleN: library.func(`int32_t psc_sphere_sample_n_${bits}(psc_technique *, ` +
-                                        'size_t, psc_receivers *, psc_view *, psc_view *, ' +
-                                        'psc_view *, psc_samples *)'),
+            pdfN: library.func(`int32_t psc_pdf_n_${bits}(psc_sampler *, size_t, psc_view *, ` +
+                               'psc_view *)'),
+            invertN: library.func(`int32_t psc_invert_n_${bits}(psc_sampler *, size_t, ` +
+                                  'psc_view *, psc_view *, psc_output_result *)'),
         };
+        for (const [shape, widths] of Object.entries(SHAPES)) {
+            const parts = widths ? widths.map(() => 'psc_view *').join(', ')
+                                 : 'size_t, psc_view *';
+            many[shape] = library.func(
+                `int32_t psc_${shape}_sample_n_${bits}(psc_technique *, size_t, psc_receivers *, ` +
+                `${parts}, psc_view *, psc_samples *)`);
+        }
     }
 
     // Throws what is an error; returns the status.
@@ -114,6 +162,25 @@ module.exports = path => {
         return { struct_size: koffi.sizeof('psc_technique'), measure, map, flags };
     }
 
+    function borrow({ position, normal = null, flags = 0 })
+    {
+        return { struct_size: koffi.sizeof('psc_receiver'), flags, position, normal };
+    }
+
+    // The number that a call leaves behind its other arguments.
+    function number(call, ...rest)
+    {
+        const out = [0];
+        check(call(...rest, out));
+        return out[0];
+    }
+
+    // The parts of a light as its build call takes them.
+    function parts({ shape, parts })
+    {
+        return shape === 'polygon' ? [parts.length, parts.flat(), 24] : parts;
+    }
+
     const forgotten = new FinalizationRegistry(calls.destroy);
 
     class Sampler {
@@ -127,12 +194,10 @@ module.exports = path => {
             forgotten.register(this, this.#handle);
         }
         // Whether anything of the light can be seen.
-        build({ shape, parts }, { position, normal = null, flags = 0 }, how)
+        build(light, receiver, how)
         {
-            const receiver = {
-                struct_size: koffi.sizeof('psc_receiver'), flags, position, normal,
-            };
-            return check(calls[shape](this.#handle, technique(how), receiver, ...parts)) === 0;
+            return check(calls.build[light.shape](this.#handle, technique(how), borrow(receiver),
+                                                  ...parts(light))) === 0;
         }
         // A sample, or null if there is none; of weight 0 if it is culled.
         sample(u, v)
@@ -147,9 +212,7 @@ module.exports = path => {
         }
         pdf(direction)
         {
-            const out = [0];
-            check(calls.pdf(this.#handle, direction, out));
-            return out[0];
+            return number(calls.pdf, this.#handle, direction);
         }
         // [u, v] of a direction, or null.
         invert(direction)
@@ -158,17 +221,33 @@ module.exports = path => {
             const result = check(calls.invert(this.#handle, direction, uv));
             return result === EMPTY || result === OUTSIDE ? null : uv;
         }
-        total()
+        // 'total', 'solidAngle', 'projectedSolidAngle', 'formFactor' or 'area'.
+        ask(question)
         {
-            const out = [0];
-            check(calls.total(this.#handle, out));
-            return out[0];
+            return number(calls.sampler[question], this.#handle);
+        }
+        describe()
+        {
+            const out = { struct_size: koffi.sizeof('psc_description'), shape: 0, measure: 0,
+                          map: 0, visibility: 0, reserved: 0 };
+            check(calls.describe(this.#handle, out));
+            return out;
         }
         sampleN(count, uv, outputs)
         {
             const Numbers = uv.array.constructor;
             return check(calls[Numbers.name].sampleN(
                 this.#handle, count, pointers(uv, count), samples(outputs, count, Numbers)));
+        }
+        pdfN(count, direction, pdf)
+        {
+            return check(calls[same(direction, pdf).name].pdfN(
+                this.#handle, count, pointers(direction, count), pointers(pdf, count)));
+        }
+        invertN(count, direction, uv)
+        {
+            return check(calls[same(direction, uv).name].invertN(
+                this.#handle, count, pointers(direction, count), pointers(uv, count), null));
         }
     }
 
@@ -177,11 +256,20 @@ module.exports = path => {
         RADIAL: 0, PARALLEL: 1, CONCENTRIC: 2, QUASI_UNIFORM: 3,
         version: calls.version,
         view,
-        sphere: (center, radius) => ({ shape: 'sphere', parts: [center, radius] }),
-        cap: (axis, halfAngle) => ({ shape: 'cap', parts: [axis, halfAngle] }),
+        // psc.disk(center, normal, radius) and so on, in the order of the build calls.
+        ...Object.fromEntries(Object.keys(SHAPES).map(
+            shape => [shape, (...parts) => ({ shape, parts })])),
+        shapes: Object.keys(SHAPES),
         sampler: () => new Sampler(),
-        // One build and one sample for each element.
-        sphereSampleN(count, { position, normal, flags = 0 }, center, radius, uv, outputs, how)
+        // Without a sampler; a distant light has the same solid angle from everywhere.
+        solidAngle: (light, position) => light.shape === 'cap'
+            ? number(calls.solidAngle.cap, light.parts[1])
+            : number(calls.solidAngle[light.shape], position, ...parts(light)),
+        // Of spheres and caps.
+        formFactor: (light, receiver) =>
+            number(calls.formFactor[light.shape], borrow(receiver), ...parts(light)),
+        // One build and one sample for each element, of a light whose parts are views.
+        sampleN(count, { position, normal, flags = 0 }, { shape, parts }, uv, outputs, how)
         {
             const Numbers = uv.array.constructor;
             const receivers = {
@@ -189,9 +277,11 @@ module.exports = path => {
                 position: pointers(position, count),
                 normal: normal ? pointers(normal, count) : NOWHERE,
             };
-            return check(calls[Numbers.name].sphereSampleN(
-                technique(how), count, receivers, pointers(center, count),
-                pointers(radius, count), pointers(uv, count), samples(outputs, count, Numbers)));
+            const light = parts.map(part => pointers(part, count));
+            return check(calls[Numbers.name][shape](
+                technique(how), count, receivers,
+                ...(shape === 'polygon' ? [light.length, light] : light), pointers(uv, count),
+                samples(outputs, count, Numbers)));
         },
     };
 };

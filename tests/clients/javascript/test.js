@@ -19,7 +19,8 @@ const exact = Math.PI * (radius / distance) ** 2 * center[2] / distance;
 const sampler = psc.sampler();
 
 // One sample.
-check('an empty sampler gives nothing', sampler.sample(0.5, 0.5) === null && sampler.total() === 0);
+check('an empty sampler gives nothing',
+      sampler.sample(0.5, 0.5) === null && sampler.ask('total') === 0);
 check('builds', sampler.build(sphere, from, { measure: psc.PROJECTED_SOLID_ANGLE,
                                               map: psc.PARALLEL }));
 const s = sampler.sample(0.25, 0.75);
@@ -71,23 +72,54 @@ for (const [name, outputs] of [
     check(`an array that is ${name} is refused`, refused);
 }
 
-// A wavefront: one sphere for every receiver by a stride of 0.
+// Every shape: single calls, totals, and wavefronts of one light by strides of 0.
+const lights = {
+    sphere: [[0.5, -0.25, 1], 0.5], cap: [[0.5, -0.25, 1], 0.75],
+    disk: [[0.5, -0.25, 1], [1, 0.5, 0.5], 0.75],
+    ellipse: [[0.5, -0.25, 1], [0.5, 0, 0.25], [0, 1, 0]],
+    ellipsoid: [[0.5, -0.25, 1], [0.5, 0, 0.25], [0, 1, 0], [-0.25, 0, 0.5]],
+    triangle: [[0.5, -0.25, 1], [1, 0.5, 1], [0, 1, -0.5]],
+    rectangle: [[0.5, -0.25, 1], [0.5, 0, 0.25], [0, 1, 0]],
+    polygon: [[0, 0, 1], [1, 0, 1], [1.5, 1, 1], [0.5, 2, 1]],
+};
 const m = 1000, position = Float64Array.from({ length: 3 * m }, (_, i) => Math.sin(i * i) * 3);
 const normal = Float64Array.from({ length: 3 * m }, (_, i) => Math.cos(i * i + 1));
-const square = Float64Array.from(uv.subarray(0, 2 * m));
-const weight = new Float64Array(m).fill(-1), status = new Int32Array(m);
-check('a wavefront', psc.sphereSampleN(
-    m, { position: view(position, 3), normal: view(normal, 3) },
-    view(Float64Array.from(center), 3, 0, 0), view(Float64Array.of(radius), 1, 0, 0),
-    view(square, 2), { weight: view(weight, 1), status: view(status, 1) }) === 0);
-same = true;
-for (let i = 0; i < m; i++) {
-    const part = array => Array.from(array.subarray(3 * i, 3 * i + 3));
-    sampler.build(sphere, { position: part(position), normal: part(normal) });
-    const one = sampler.sample(square[2 * i], square[2 * i + 1]);
-    same &&= weight[i] === (one === null ? -1 : one.weight);
-}
-check('gives what single calls give', same && new Set(status).size === 3);
+const square = Float64Array.from({ length: 2 * m }, (_, i) =>
+    i % 2 ? (0.3 + (i >> 1) * 0.6180339887498949) % 1 : ((i >> 1) + 0.5) / m);
+const back = new Float64Array(2 * m), directions = new Float64Array(3 * m);
+const pdfs = new Float64Array(m), own = new Float64Array(m);
+psc.shapes.forEach((shape, i) => {
+    const light = psc[shape](...lights[shape]);
+    sampler.build(light, from);
+    const s = sampler.sample(0.25, 0.75), [u, v] = sampler.invert(s.direction);
+    check(`${shape}: a sample, its density and inverse, totals`,
+          near(sampler.pdf(s.direction), s.pdf, 1e-9) && near(u, 0.25, 1e-9) &&
+          near(v, 0.75, 1e-9) && near(psc.solidAngle(light, from.position),
+                                      sampler.ask('solidAngle'), 1e-12) &&
+          sampler.describe().shape === i + 1);
+    sampler.sampleN(m, view(square, 2), { direction: view(directions, 3), pdf: view(own, 1) });
+    sampler.pdfN(m, view(directions, 3), view(pdfs, 1));
+    sampler.invertN(m, view(directions, 3), view(back, 2));
+    check(`${shape}: arrays of densities and inverses`,
+          pdfs.every((pdf, k) => near(pdf, own[k], 1e-9)) &&
+          back.every((x, k) => Math.abs(x - square[k]) < 1e-9));
+
+    const weight = new Float64Array(m).fill(-1), status = new Int32Array(m);
+    const views = lights[shape].map(part => view(Float64Array.from([part].flat()),
+                                                 [part].flat().length, 0, 0));
+    let same = psc.sampleN(m, { position: view(position, 3), normal: view(normal, 3) },
+                           psc[shape](...views), view(square, 2),
+                           { weight: view(weight, 1), status: view(status, 1) }) === 0;
+    for (let k = 0; k < m; k++) {
+        const part = array => Array.from(array.subarray(3 * k, 3 * k + 3));
+        sampler.build(light, { position: part(position), normal: part(normal) });
+        const one = sampler.sample(square[2 * k], square[2 * k + 1]);
+        same &&= weight[k] === (one === null ? -1 : one.weight);
+    }
+    check(`${shape}: a wavefront gives what single calls give`,
+          same && status.includes(0) && status.includes(2));
+});
+check('form factors', near(psc.formFactor(sphere, from), exact / Math.PI, 1e-14));
 
 console.log(`1..${count}`);
 process.exitCode = failures === 0 ? 0 : 1;

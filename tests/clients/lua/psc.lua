@@ -36,6 +36,8 @@ return function(library, header)
         CONCENTRIC = C.PSC_MAP_CONCENTRIC,
         QUASI_UNIFORM = C.PSC_MAP_QUASI_UNIFORM,
         vector = ffi.typeof 'double[3]',
+        shapes = { 'sphere', 'cap', 'disk', 'ellipse', 'ellipsoid', 'triangle', 'rectangle',
+            'polygon' },
     }
 
     -- Raises what is an error; returns the status.
@@ -58,6 +60,7 @@ return function(library, header)
     end
 
     local new_technique, new_receiver = sized 'psc_technique', sized 'psc_receiver'
+    local new_description = sized 'psc_description'
 
     function psc.technique(measure, map, flags)
         local t = new_technique()
@@ -83,18 +86,34 @@ return function(library, header)
         view.stride = stride
     end
 
+    -- A light that does not move in a wavefront: the parts of a build call, as floats.
+    -- The inputs that are returned point to those, and keep them alive.
+    function psc.repeated(...)
+        local inputs = { kept = {} }
+        for i, part in ipairs { ... } do
+            local n = type(part) == 'number' and 1 or 3
+            local floats, input = ffi.new 'float[3]', ffi.new 'psc_input_f32'
+            for k = 0, n - 1 do
+                floats[k] = n == 1 and part or part[k]
+            end
+            psc.view(input, n, floats, 0)
+            inputs[i], inputs.kept[i] = input, floats
+        end
+        return inputs
+    end
+
     -- Methods of a sampler.
     local methods = {}
     local handle = ffi.typeof 'psc_sampler *[1]'
     local sample = ffi.typeof 'psc_light_sample_f64'
     local number, pair = ffi.typeof 'double[1]', ffi.typeof 'double[2]'
 
-    -- Builds: whether anything of the light can be seen.
-    function methods:build_sphere(...)
-        return check(C.psc_build_sphere(self, ...)) == C.PSC_SUCCESS
-    end
-    function methods:build_cap(...)
-        return check(C.psc_build_cap(self, ...)) == C.PSC_SUCCESS
+    -- Builds, of each shape: whether anything of the light can be seen.
+    for _, shape in ipairs(psc.shapes) do
+        local build = C['psc_build_' .. shape]
+        methods['build_' .. shape] = function(self, ...)
+            return check(build(self, ...)) == C.PSC_SUCCESS
+        end
     end
 
     -- A sample, or nil if there is none; into the one that is given, or a new one.
@@ -116,10 +135,19 @@ return function(library, header)
             return out[0], out[1]
         end
     end
-    function methods:total()
-        local out = number()
-        check(C.psc_sampler_total(self, out))
-        return out[0]
+    for _, name in ipairs { 'total', 'solid_angle', 'projected_solid_angle', 'form_factor',
+        'area' } do
+        local question = C['psc_sampler_' .. name]
+        methods[name] = function(self)
+            local out = number()
+            check(question(self, out))
+            return out[0]
+        end
+    end
+    function methods:describe()
+        local out = new_description()
+        check(C.psc_sampler_describe(self, out))
+        return out
     end
     ffi.metatype('psc_sampler', { __index = methods })
 

@@ -7,6 +7,7 @@
                      measure=psc.PROJECTED_SOLID_ANGLE):
         s = sampler.sample(0.25, 0.75)
         sampler.sample_n(uv, direction=directions, weight=weights)   # arrays, filled in place
+    library.sample_n(psc.Disk(center, normals, radii), uv, positions, normals, weight=weights)
 
 Arrays are of float32 or float64, all of one kind; pairs and vectors have a last axis of 2 or 3.
 Any strides will do, numpy's broadcasting (strides of 0) included.
@@ -22,8 +23,16 @@ ONE_SIDED = 1  # of a light
 TWO_SIDED = 1  # of a receiver
 SUCCESS, EMPTY, CULLED, OUTSIDE = range(4)
 
+# Lights, in the order of their build calls; for a wavefront each part may be an array of them.
 Sphere = collections.namedtuple('Sphere', 'center radius')
 Cap = collections.namedtuple('Cap', 'axis half_angle')
+Disk = collections.namedtuple('Disk', 'center normal radius')
+Ellipse = collections.namedtuple('Ellipse', 'center axis_u axis_v')
+Ellipsoid = collections.namedtuple('Ellipsoid', 'center axis_u axis_v axis_w')
+Triangle = collections.namedtuple('Triangle', 'v0 v1 v2')
+Rectangle = collections.namedtuple('Rectangle', 'corner edge_u edge_v')
+Polygon = collections.namedtuple('Polygon', 'vertices')  # an array with axes vertex, coordinate
+SCALARS = {'radius', 'half_angle'}
 
 Vector = ctypes.c_double * 3
 Pair = ctypes.c_double * 2
@@ -75,6 +84,11 @@ class Receivers(ctypes.Structure):
                 ('position', View), ('normal', View)]
 
 
+class Description(ctypes.Structure):
+    _fields_ = [(name, ctypes.c_uint32) for name in ('struct_size', 'shape', 'measure', 'map',
+                                                     'visibility', 'reserved')]
+
+
 WIDTHS = {'direction': 3, 'pdf': 1, 'point': 3, 'distance': 1, 'normal': 3, 'weight': 1,
           'surface': 2}
 
@@ -93,6 +107,38 @@ def view(array, count, width, dtype, written=False):
                 array.strides[0])
 
 
+def parts(light):
+    """The numbers of one light as its build call takes them."""
+    if isinstance(light, Polygon):
+        vertices = numpy.ascontiguousarray(light.vertices, 'f8')
+        return (ctypes.c_size_t(len(vertices)),
+                vertices.ctypes.data_as(ctypes.POINTER(ctypes.c_double)),
+                ctypes.c_ssize_t(vertices.strides[0]))
+    return tuple(ctypes.c_double(part) if name in SCALARS else Vector(*part)
+                 for name, part in zip(light._fields, light))
+
+
+def as_array(part, dtype):
+    """An array as it is, or one of the numbers given; to be kept while the library reads it."""
+    return part if isinstance(part, numpy.ndarray) else numpy.array(part, dtype)
+
+
+def spread(array, count, width, dtype):
+    """The view of an array, or of one value for every element."""
+    return view(numpy.broadcast_to(array, (count,) if width == 1 else (count, width)), count,
+                width, dtype)
+
+
+def wavefront_parts(light, count, dtype):
+    """The numbers of many lights, all of them arrays, as their wavefront call takes them."""
+    if isinstance(light, Polygon):
+        n = light.vertices.shape[-2]
+        return ctypes.c_size_t(n), (View * n)(*(spread(light.vertices[..., k, :], count, 3, dtype)
+                                                for k in range(n)))
+    return tuple(ctypes.byref(spread(part, count, 1 if name in SCALARS else 3, dtype))
+                 for name, part in zip(light._fields, light))
+
+
 def samples(count, dtype, outputs):
     """Where the library puts what is wanted: arrays by the names of a sample's fields."""
     out = Samples(struct_size=ctypes.sizeof(Samples))
@@ -103,6 +149,15 @@ def samples(count, dtype, outputs):
         else:
             setattr(out, name, view(array, count, WIDTHS[name], dtype, True))
     return out
+
+
+def technique(measure, map, one_sided):
+    return Technique(ctypes.sizeof(Technique), measure, map, ONE_SIDED * one_sided)
+
+
+def receiver(position, normal, two_sided):
+    return Receiver(ctypes.sizeof(Receiver), TWO_SIDED * two_sided, Vector(*position),
+                    None if normal is None else Vector(*normal))
 
 
 def suffix(dtype):
@@ -127,20 +182,44 @@ class Library:
     def sampler(self):
         return Sampler(self)
 
-    def sphere_sample_n(self, position, normal, center, radius, uv, measure=SOLID_ANGLE,
-                        map=RADIAL, flags=0, **outputs):
-        """One build and one sample for each element; a normal of None is a point in a volume."""
+    def function(self, light, name):
+        return getattr(self.calls, f'psc_{type(light).__name__.lower()}_{name}')
+
+    def number(self, call, *arguments):
+        """The double that a call gives."""
+        out = ctypes.c_double()
+        self.check(call(*arguments, ctypes.byref(out)))
+        return out.value
+
+    def solid_angle(self, light, position):
+        """Without a sampler; a distant light has the same from everywhere."""
+        call = self.function(light, 'solid_angle')
+        if isinstance(light, Cap):
+            return self.number(call, ctypes.c_double(light.half_angle))
+        return self.number(call, Vector(*position), *parts(light))
+
+    def form_factor(self, light, position, normal, two_sided_receiver=False):
+        """Without a sampler, of spheres and caps."""
+        return self.number(self.function(light, 'form_factor'),
+                           ctypes.byref(receiver(position, normal, two_sided_receiver)),
+                           *parts(light))
+
+    def sample_n(self, light, uv, position, normal=None, measure=SOLID_ANGLE, map=RADIAL,
+                 one_sided=False, two_sided_receivers=False, **outputs):
+        """One build and one sample for each element; without a normal, of points in a volume."""
         count, dtype = len(uv), uv.dtype
-        technique = Technique(ctypes.sizeof(Technique), measure, map, flags)
-        receivers = Receivers(struct_size=ctypes.sizeof(Receivers),
-                              position=view(position, count, 3, dtype))
+        light = type(light)(*(as_array(part, dtype) for part in light))
+        position = as_array(position, dtype)
+        receivers = Receivers(ctypes.sizeof(Receivers), TWO_SIDED * two_sided_receivers,
+                              spread(position, count, 3, dtype))
         if normal is not None:
-            receivers.normal = view(normal, count, 3, dtype)
-        call = getattr(self.calls, 'psc_sphere_sample_n_' + suffix(dtype))
+            normal = as_array(normal, dtype)
+            receivers.normal = spread(normal, count, 3, dtype)
+        call = self.function(light, 'sample_n_' + suffix(dtype))
         return self.check(call(
-            ctypes.byref(technique), ctypes.c_size_t(count), ctypes.byref(receivers),
-            ctypes.byref(view(center, count, 3, dtype)),
-            ctypes.byref(view(radius, count, 1, dtype)), ctypes.byref(view(uv, count, 2, dtype)),
+            ctypes.byref(technique(measure, map, one_sided)), ctypes.c_size_t(count),
+            ctypes.byref(receivers), *wavefront_parts(light, count, dtype),
+            ctypes.byref(view(uv, count, 2, dtype)),
             ctypes.byref(samples(count, dtype, outputs))))
 
 
@@ -158,14 +237,15 @@ class Sampler:
     def build(self, light, position, normal=None, measure=SOLID_ANGLE, map=RADIAL, one_sided=False,
               two_sided_receiver=False):
         """Whether anything of the light can be seen."""
-        technique = Technique(ctypes.sizeof(Technique), measure, map, ONE_SIDED * one_sided)
-        receiver = Receiver(ctypes.sizeof(Receiver), TWO_SIDED * two_sided_receiver,
-                            Vector(*position), None if normal is None else Vector(*normal))
-        parts = (Vector(*part) if hasattr(part, '__len__') else ctypes.c_double(part)
-                 for part in light)
         call = getattr(self.calls, 'psc_build_' + type(light).__name__.lower())
-        return self.library.check(call(self.handle, ctypes.byref(technique),
-                                       ctypes.byref(receiver), *parts)) == SUCCESS
+        return self.library.check(call(
+            self.handle, ctypes.byref(technique(measure, map, one_sided)),
+            ctypes.byref(receiver(position, normal, two_sided_receiver)), *parts(light))) == SUCCESS
+
+    def describe(self):
+        out = Description(struct_size=ctypes.sizeof(Description))
+        self.library.check(self.calls.psc_sampler_describe(self.handle, ctypes.byref(out)))
+        return out
 
     def sample(self, u, v):
         """A sample, or None if the light cannot be seen; of weight 0 if it is culled."""
@@ -175,10 +255,7 @@ class Sampler:
         return None if self.library.check(result) == EMPTY else out
 
     def pdf(self, direction):
-        out = ctypes.c_double()
-        self.library.check(self.calls.psc_pdf_f64(self.handle, Vector(*direction),
-                                                  ctypes.byref(out)))
-        return out.value
+        return self.library.number(self.calls.psc_pdf_f64, self.handle, Vector(*direction))
 
     def invert(self, direction):
         """The (u, v) of a direction, or None if the sampler cannot give it."""
@@ -187,9 +264,19 @@ class Sampler:
         return tuple(out) if self.library.check(result) == SUCCESS else None
 
     def total(self):
-        out = ctypes.c_double()
-        self.library.check(self.calls.psc_sampler_total(self.handle, ctypes.byref(out)))
-        return out.value
+        return self.library.number(self.calls.psc_sampler_total, self.handle)
+
+    def solid_angle(self):
+        return self.library.number(self.calls.psc_sampler_solid_angle, self.handle)
+
+    def projected_solid_angle(self):
+        return self.library.number(self.calls.psc_sampler_projected_solid_angle, self.handle)
+
+    def form_factor(self):
+        return self.library.number(self.calls.psc_sampler_form_factor, self.handle)
+
+    def area(self):
+        return self.library.number(self.calls.psc_sampler_area, self.handle)
 
     def sample_n(self, uv, **outputs):
         """Fills arrays, named as the fields of a sample, and status."""
@@ -204,3 +291,15 @@ class Sampler:
         return self.library.check(call(self.handle, ctypes.c_size_t(count),
                                        ctypes.byref(view(direction, count, 3, dtype)),
                                        ctypes.byref(view(pdf, count, 1, dtype, True))))
+
+    def invert_n(self, direction, uv, status=None):
+        dtype, count = direction.dtype, len(direction)
+        call = getattr(self.calls, 'psc_invert_n_' + suffix(dtype))
+        statuses = Statuses()
+        if status is not None:
+            v = view(status, count, 1, numpy.int32, True)
+            statuses = Statuses(v.component[0], v.stride)
+        return self.library.check(call(self.handle, ctypes.c_size_t(count),
+                                       ctypes.byref(view(direction, count, 3, dtype)),
+                                       ctypes.byref(view(uv, count, 2, dtype, True)),
+                                       ctypes.byref(statuses)))

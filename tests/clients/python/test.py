@@ -80,21 +80,51 @@ for wrong in uv.astype('f4'), numpy.broadcast_to(0.0, 1000), numpy.empty(999):
         refused = True
     check(f'an output of {wrong.dtype}, {wrong.shape} is refused', refused)
 
-# A wavefront: one sphere for all receivers by broadcasting, culled and empty elements included.
+# Every shape: single calls, totals, arrays, and wavefronts, culled and empty elements included.
+lights = [
+    sphere, psc.Cap((0.3, -0.2, 1), 0.7), psc.Disk((0.3, -0.2, 1), (1, 0.5, 0.5), 0.75),
+    psc.Ellipse((0.3, -0.2, 1), (0.5, 0, 0.25), (0, 1, 0)),
+    psc.Ellipsoid((0.3, -0.2, 1), (0.5, 0, 0.25), (0, 1, 0), (-0.25, 0, 0.5)),
+    psc.Triangle((0.5, 0, 1), (1, 0.5, 1), (0, 1, -0.5)),
+    psc.Rectangle((0.5, 0, 1), (1, 0, 0.5), (0, 0.5, 0)),
+    psc.Polygon(((0, 0, 1), (1, 0, 1), (1.5, 1, 1), (0.5, 2, 1), (-0.5, 1, 1))),
+]
 position = rng.uniform(-3, 3, (1000, 3))
 normal = rng.normal(size=(1000, 3))
-status = numpy.empty(1000, 'i4')
-weight[:] = -1
-result = library.sphere_sample_n(
-    position, normal, numpy.broadcast_to(numpy.array(sphere.center), (1000, 3)),
-    numpy.broadcast_to(sphere.radius, 1000), uv, weight=weight, status=status)
-check('a wavefront', result == psc.SUCCESS and set(status) == {psc.SUCCESS, psc.EMPTY, psc.CULLED})
-same = True
-for i in range(1000):
-    sampler.build(sphere, position[i], normal[i])
-    one = sampler.sample(*uv[i])
-    same &= weight[i] == (-1 if one is None else one.weight)
-check('gives what single calls give', same)
+again, status = numpy.empty((1000, 2)), numpy.empty(1000, 'i4')
+for shape, light in enumerate(lights, 1):
+    name = type(light).__name__
+    sampler.build(light, origin, up, map=psc.RADIAL)
+    s = sampler.sample(0.25, 0.75)
+    ok = sampler.describe().shape == shape and abs(sampler.pdf(s.direction) / s.pdf - 1) < 1e-9
+    ok &= math.dist(sampler.invert(s.direction), (0.25, 0.75)) < 1e-9
+    ok &= abs(library.solid_angle(light, origin) / sampler.total() - 1) < 1e-12
+    ok &= abs(sampler.solid_angle() / sampler.total() - 1) < 1e-15
+    sampler.sample_n(uv, direction=directions)
+    ok &= sampler.invert_n(directions, again, status) == psc.SUCCESS
+    ok &= (status == psc.SUCCESS).all() and numpy.allclose(again, uv, rtol=0, atol=1e-9)
+    check(f'{name}: a sample, its density and inverse, totals', ok)
+
+    # One light for all receivers; then one for each, in float.
+    weight[:] = -1
+    result = library.sample_n(light, uv, position, normal, weight=weight, status=status)
+    ok = result == psc.SUCCESS and {psc.SUCCESS, psc.CULLED} <= set(status)
+    for i in range(0, 1000, 7):
+        sampler.build(light, position[i], normal[i])
+        one = sampler.sample(*uv[i])
+        ok &= weight[i] == (-1 if one is None else one.weight)
+    check(f'{name}: a wavefront gives what single calls give', ok)
+    sizes = 2.0 ** rng.integers(-1, 2, 1000)
+    many = type(light)(*(numpy.multiply.outer(sizes, part).astype('f4') for part in light))
+    points, normals, square = (array.astype('f4') for array in (position, normal, uv))
+    found, one = numpy.full(1000, -1, 'f4'), numpy.empty(1, 'f4')
+    ok = library.sample_n(many, square, points, normals, weight=found) == psc.SUCCESS
+    for i in range(0, 1000, 7):
+        sampler.build(type(light)(*(part[i].tolist() for part in many)), points[i], normals[i])
+        one[:] = -1
+        sampler.sample_n(square[i:i + 1], weight=one)
+        ok &= found[i] == one[0]
+    check(f'{name}: a wavefront of many lights, in float', ok)
 
 print(f'1..{count}')
 sys.exit(failures != 0)

@@ -3,7 +3,7 @@
 
 mod psc;
 
-use psc::{Light, Map, Measure, Receiver, Sample, Sampler, Technique};
+use psc::{Light, Map, Measure, Receiver, Sample, Sampler, Technique, Vector};
 
 #[derive(Default)]
 struct Tap {
@@ -21,6 +21,45 @@ impl Tap {
 
 fn near(a: f64, b: f64, tolerance: f64) -> bool {
     (a - b).abs() <= tolerance * b.abs()
+}
+
+// Single calls, totals, and a wavefront against single calls.
+fn every_shape(tap: &mut Tap, name: &str, light: &Light) -> Result<(), psc::Error> {
+    let mut sampler = Sampler::new();
+    let plain = Technique::new(Measure::SolidAngle, Map::Radial);
+    let from = Receiver::surface([0.0; 3], [0.0, 0.0, 1.0]);
+    let built = sampler.build(&plain, &from, light)?.expect("above the horizon");
+    let s = built.sample(0.25, 0.75);
+    let uv = built.invert(&s.direction).unwrap_or([9.0; 2]);
+    tap.check(
+        &format!("{}: a sample, its density and inverse, totals", name),
+        near(built.pdf(&s.direction), s.pdf, 1e-9)
+            && near(uv[0], 0.25, 1e-9)
+            && near(uv[1], 0.75, 1e-9)
+            && near(built.total(), built.solid_angle(), 1e-15),
+    );
+
+    let n = 1000;
+    let golden = |k: usize, step: f64| (0.3 + k as f64 * step).fract();
+    let point = |k: usize| [golden(k, 0.755) * 4.0 - 2.0, golden(k, 0.57) * 4.0 - 2.0, 0.0];
+    let normal = |k: usize| [golden(k, 0.41) - 0.5, golden(k, 0.87) - 0.5, 0.25];
+    let uv: Vec<[f64; 2]> = (0..n).map(|k| [golden(k, 0.618), golden(k, 0.414)]).collect();
+    let positions: Vec<Vector> = (0..n).map(point).collect();
+    let normals: Vec<Vector> = (0..n).map(normal).collect();
+    let (mut samples, mut status) = (vec![Sample::default(); n], vec![-1; n]);
+    psc::sample_n(
+        &plain, &positions, Some(&normals), light, &uv, &mut samples, &mut status,
+    )?;
+    let mut same = status.contains(&0);
+    for k in 0..n {
+        let receiver = Receiver::surface(positions[k], normals[k]);
+        same &= match sampler.build(&plain, &receiver, light)? {
+            Some(built) => built.sample(uv[k][0], uv[k][1]) == samples[k],
+            None => status[k] == psc::EMPTY,
+        };
+    }
+    tap.check(&format!("{}: a wavefront gives what single calls give", name), same);
+    Ok(())
 }
 
 fn main() -> Result<(), psc::Error> {
@@ -81,6 +120,21 @@ fn main() -> Result<(), psc::Error> {
         threads.into_iter().all(|thread| thread.join().unwrap_or(false))
     });
     tap.check("four threads share a sampler and get the same bits", same);
+
+    let polygon = [[0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [1.5, 1.0, 1.0], [0.5, 2.0, 1.0]];
+    let (center, x, y, z) = ([0.5, -0.25, 1.0], [0.5, 0.0, 0.25], [0.0, 1.0, 0.0], [0.0, 0.0, 0.5]);
+    for (name, light) in [
+        ("sphere", Light::Sphere { center, radius: 0.5 }),
+        ("cap", Light::Cap { axis: center, half_angle: 0.75 }),
+        ("disk", Light::Disk { center, normal: [1.0, 0.5, 0.5], radius: 0.75 }),
+        ("ellipse", Light::Ellipse { center, axis_u: x, axis_v: y }),
+        ("ellipsoid", Light::Ellipsoid { center, axis_u: x, axis_v: y, axis_w: z }),
+        ("triangle", Light::Triangle { v0: center, v1: x, v2: y }),
+        ("rectangle", Light::Rectangle { corner: center, edge_u: x, edge_v: y }),
+        ("polygon", Light::Polygon { vertices: &polygon }),
+    ] {
+        every_shape(&mut tap, name, &light)?;
+    }
 
     println!("1..{}", tap.count);
     std::process::exit((tap.failures != 0) as i32);
