@@ -35,6 +35,22 @@ struct Ray {
         return t > 0 && t < nowhere ? t : nowhere;
     }
 
+    float operator()(const psc::disk &d) const
+    {
+        Vector there;
+        const float t = plane(narrow(d.center), unit(narrow(d.normal)), there);
+        return dot(there, there) <= float(d.radius * d.radius) ? t : nowhere;
+    }
+
+    float operator()(const psc::rectangle &r) const
+    {
+        const Vector u = narrow(r.edge_u), v = narrow(r.edge_v);
+        Vector there;
+        const float t = plane(narrow(r.corner), unit(cross(u, v)), there);
+        const float a = dot(there, u), b = dot(there, v);
+        return a >= 0 && a <= dot(u, u) && b >= 0 && b <= dot(v, v) ? t : nowhere;
+    }
+
     float operator()(const psc::triangle &f) const
     {
         const Vector u = narrow(f.v1) - narrow(f.v0), v = narrow(f.v2) - narrow(f.v0);
@@ -51,4 +67,19 @@ struct Ray {
 float Light::hit(Vector origin, Vector direction, Vector &normal) const
 {
     return std::visit(Ray{origin, direction, normal}, shape);
+}
+
+std::optional<psc::technique> Light::offered(psc_measure measure) const
+{
+    const psc::receiver anywhere = {{0, 0, 0}, {{0, 0, 1}}};
+    psc::sampler sampler;
+
+    for (psc_map map : {PSC_MAP_RADIAL, PSC_MAP_CONCENTRIC, PSC_MAP_PARALLEL}) {
+        const psc::technique how(measure, map, one_sided ? PSC_TECHNIQUE_ONE_SIDED : 0);
+        const psc_result result =
+            std::visit([&](const auto &s) { return sampler.build(how, anywhere, s); }, shape);
+        if (result != PSC_ERROR_UNSUPPORTED_TECHNIQUE)
+            return how;
+    }
+    return {};
 }

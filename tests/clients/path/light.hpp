@@ -3,14 +3,17 @@
 #ifndef PATH_LIGHT_HPP
 #define PATH_LIGHT_HPP
 
+#include <optional>
 #include <variant>
 
 #include <psc/psc.hpp>
 
 #include "vector.hpp"
 
+using Shape = std::variant<psc::sphere, psc::disk, psc::rectangle, psc::triangle>;
+
 struct Light {
-    std::variant<psc::sphere, psc::triangle> shape;
+    Shape shape;
     const char *name;
     float radiance;
     Vector color;
@@ -19,22 +22,14 @@ struct Light {
     /* The distance along a ray to where the light begins, or infinity; the normal there. */
     float hit(Vector origin, Vector direction, Vector &normal) const;
 
-    psc::technique technique(psc_measure measure) const
-    {
-        return psc::technique(measure, PSC_MAP_RADIAL,
-                              one_sided ? PSC_TECHNIQUE_ONE_SIDED : 0);
-    }
+    /* The first of the library's maps that the shape has for a measure; nothing if it has none. */
+    std::optional<psc::technique> offered(psc_measure measure) const;
 
-    /* A measure that is wanted, or solid angle, which every shape offers. */
-    psc_measure offered(psc_measure measure) const
+    /* How to sample by a measure that is wanted, or by solid angle, which every shape offers. */
+    psc::technique technique(psc_measure wanted) const
     {
-        psc::sampler sampler;
-        const psc::receiver anywhere = {{0, 0, 0}, {{0, 0, 1}}};
-        const psc_result result = std::visit(
-            [&](const auto &s) { return sampler.build(technique(measure), anywhere, s); }, shape);
-        if (result == PSC_ERROR_UNSUPPORTED_TECHNIQUE)
-            return PSC_MEASURE_SOLID_ANGLE;
-        return measure;
+        const auto found = offered(wanted);
+        return found ? *found : *offered(PSC_MEASURE_SOLID_ANGLE);
     }
 
     /* Whether it shines against the direction of a ray that hit it. */

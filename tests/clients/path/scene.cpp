@@ -77,7 +77,11 @@ void Scene::knot()
 Scene::Scene()
     : light{{{psc::sphere{{-1.9, -0.6, 0.5}, 0.4}, "sphere", 6, {1, 0.75f, 0.5f}},
              {psc::triangle{{-1.6, 2.6, 1.2}, {-0.4, 2.6, 1.4}, {-1.2, 2.3, 2.2}}, "triangle", 7,
-              {1, 0.5f, 0.6f}}}},
+              {1, 0.5f, 0.6f}},
+             {psc::disk{{2.1, -0.9, 0.42}, {-1, 0.25, 0}, 0.36}, "disk", 6, {0.5f, 0.7f, 1}},
+             /* Half sunk into the floor. */
+             {psc::rectangle{{1.3, 2.3, -0.6}, {1.6, -0.6, 0}, {0, 0, 1.2}}, "rectangle", 4,
+              {0.6f, 1, 0.7f}, true}}},
       material{{{"diffuse floor", 0.7f, 0, 1},
                 {"glossy floor", 0.1f, 0.7f, 60},
                 {"wall", 0.6f, 0, 1},

@@ -23,7 +23,7 @@ struct Material {
 };
 
 enum { FLOOR, GLOSSY_FLOOR, WALL, KNOT, MATERIALS };
-constexpr int lights = 2;
+constexpr int lights = 4;
 
 struct Hit {
     float distance;

@@ -11,9 +11,9 @@ struct Vertex {
     {
         const psc::receiver here = {wide(position), wide(normal)};
         for (int l = 0; l < lights; l++) {
-            const Light &light = scene.light[l];
-            const psc::technique how = light.technique(settings.measure[l]);
-            std::visit([&](const auto &s) { sampler[l].build(how, here, s); }, light.shape);
+            const psc::technique &how = settings.technique[l];
+            std::visit([&](const auto &s) { sampler[l].build(how, here, s); },
+                       scene.light[l].shape);
         }
     }
 };

@@ -10,7 +10,7 @@ enum class Strategy { bsdf, light, mis };
 
 struct Settings {
     Strategy strategy;
-    std::array<psc_measure, lights> measure;
+    std::array<psc::technique, lights> technique;
     int bounces = 2; /* 1: direct light alone */
 };
 
