@@ -64,6 +64,8 @@ static const psc_api_1 api = {
     psc_triangle_solid_angle,
     psc_rectangle_solid_angle,
     psc_polygon_solid_angle,
+    psc_table_size,
+    psc_table_init,
 };
 
 psc_result psc_get_api(uint32_t version, void *table, size_t size)

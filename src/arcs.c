@@ -21,7 +21,7 @@ psc_result psc_build_ellipse_arcs(psc_sampler *sampler, const psc_technique *tec
     e->at = e->a / e->ca;
     e->bt = e->b / e->cb;
     sampler->disk.cdf.terms = 0;
-    disk_head(sampler);
+    disk_head(sampler, technique->table);
     disk_fit(sampler);
     sampler->inverse_total = 1.0 / sampler->total;
     return result;

@@ -5,7 +5,7 @@
 static const char geometry[] = "vvs"; /* center, normal, radius */
 
 const struct psc_shape_row psc_shape_disk = {
-    PSC_SHAPE_DISK, PSC_KERNEL_DISK, {15, 0, 7, 0}, psc_disk_whole_solid_angle,
+    PSC_SHAPE_DISK, PSC_KERNEL_DISK, {31, 0, 7, 0}, psc_disk_whole_solid_angle,
     psc_disk_projected_solid_angle, psc_disk_area, psc_disk_pdf, psc_disk_invert};
 
 psc_result psc_build_disk(psc_sampler *sampler, const psc_technique *technique,

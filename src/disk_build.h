@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "disk_table.h"
 #include "ellipse_view.h"
 #include "sampler.h"
 
@@ -118,19 +119,32 @@ static inline psc_case horizon_case(enum psc_facing facing, double middle, doubl
     return middle >= reach ? PSC_CASE_ABOVE : middle > -reach ? PSC_CASE_CLIPPED : PSC_CASE_EMPTY;
 }
 
+/* By psc_map. */
+static inline enum psc_disk_map disk_map_of(const psc_sampler *s)
+{
+    static const enum psc_disk_map
+        solid_angle[] = {PSC_DISK_RADIAL, PSC_DISK_PARALLEL, PSC_DISK_CONCENTRIC,
+                         PSC_DISK_QUASI_UNIFORM, PSC_DISK_TABULATED},
+        area[] = {PSC_DISK_AREA_RADIAL, PSC_DISK_AREA_PARALLEL, PSC_DISK_AREA_CONCENTRIC},
+        around[] = {PSC_DISK_AROUND_RADIAL, PSC_DISK_AROUND_PARALLEL, PSC_DISK_AROUND_CONCENTRIC,
+                    PSC_DISK_AROUND_RADIAL, PSC_DISK_AROUND_RADIAL};
+
+    return (s->disk.inside                    ? around
+            : s->measure == PSC_MEASURE_AREA ? area
+                                             : solid_angle)[s->map];
+}
+
 /* The map of a cone that is seen, and its total. */
-static inline void disk_head(psc_sampler *s)
+static inline void disk_head(psc_sampler *s, const psc_table *table)
 {
     struct psc_disk_light *d = &s->disk;
     const int area = s->measure == PSC_MEASURE_AREA;
 
     s->sides = 1;
     memcpy(d->axis, d->seen.z, sizeof d->axis);
-    d->map = d->inside ? PSC_DISK_AROUND_RADIAL : area ? PSC_DISK_AREA_RADIAL : PSC_DISK_RADIAL;
-    if (s->map == PSC_MAP_QUASI_UNIFORM)
-        d->map = d->inside ? PSC_DISK_AROUND_RADIAL : PSC_DISK_QUASI_UNIFORM;
-    else
-        d->map += s->map == PSC_MAP_CONCENTRIC ? 1 : s->map == PSC_MAP_PARALLEL ? 2 : 0;
+    d->map = disk_map_of(s);
+    if (d->map == PSC_DISK_TABULATED)
+        table_choose(d, table);
     s->total = d->inside ? 4.0 * PSC_PI : area ? d->area : ellipse_total(&d->seen);
     d->rule_f64 = rule_f64(d->seen.ca, d->seen.cb);
     d->rule_f32 = rule_f32(d->seen.ca, d->seen.cb);
@@ -422,7 +436,7 @@ static inline psc_result ellipsoid_see(psc_sampler *s, const struct psc_request 
         const psc_result result = name##_see(s, request, geometry);                             \
                                                                                                 \
         if (result == PSC_SUCCESS) {                                                            \
-            disk_head(s);                                                                       \
+            disk_head(s, request->table);                                                       \
             disk_fit(s);                                                                        \
         }                                                                                       \
         return result;                                                                          \

@@ -22,17 +22,31 @@
 #define AREA_FITS(d) ((d)->seen.ca > 1e-12)
 #endif
 
+static void FN(round_point)(const struct psc_disk_point_f64 *wide, struct FN(psc_disk_point) *p)
+{
+    p->x = (real)wide->x;
+    p->y = (real)wide->y;
+    p->z = (real)wide->z;
+    p->c = (real)wide->c;
+    p->s = (real)wide->s;
+    p->rest = (real)wide->rest;
+}
+
 static void FN(solved_point)(const psc_sampler *s, real u, real v, struct FN(psc_disk_point) *p)
 {
     struct psc_disk_point_f64 wide;
 
     solve_point(s, (double)u, (double)v, &wide);
-    p->x = (real)wide.x;
-    p->y = (real)wide.y;
-    p->z = (real)wide.z;
-    p->c = (real)wide.c;
-    p->s = (real)wide.s;
-    p->rest = (real)wide.rest;
+    FN(round_point)(&wide, p);
+}
+
+static double FN(tabulated_point)(const psc_sampler *s, real u, real v, struct FN(psc_disk_point) *p)
+{
+    struct psc_disk_point_f64 wide;
+    const double density = table_point(&s->disk, (double)u, (double)v, &wide);
+
+    FN(round_point)(&wide, p);
+    return density;
 }
 
 /* ---- One sample ---- */
@@ -71,21 +85,35 @@ static void FN(disk_point)(const psc_sampler *s, const struct FN(psc_disk_world)
     FN(solved_point)(s, u, v, p);
 }
 
-static psc_result FN(disk_sample)(const psc_sampler *s, real u, real v, FN(psc_light_sample) *out)
+/* Of a sampler that is not empty. */
+static psc_result FN(disk_sample_seen)(const psc_sampler *s, real u, real v,
+                                       FN(psc_light_sample) *out)
 {
     struct FN(psc_disk_world) w;
     struct FN(psc_disk_point) p;
+    double density = 0.0;
     real cosine;
 
-    if (s->sides == 0)
-        return PSC_EMPTY;
     FN(disk_world)(s, &w);
-    FN(disk_point)(s, &w, u, v, &p);
+    if (w.map == PSC_DISK_TABULATED)
+        density = FN(tabulated_point)(s, u, v, &p);
+    else
+        FN(disk_point)(s, &w, u, v, &p);
     FN(disk_direction)(&w, &p, out->direction);
     cosine = FN(disk_cosine)(w.facing, &w, out->direction);
-    FN(disk_density)(disk_density_of(w.map), &w, &p, cosine, &out->pdf, &out->weight);
-    FN(disk_hit)(&w, &p, out->direction, out->point, out->normal, &out->distance, out->surface);
+    if (w.map == PSC_DISK_TABULATED) {
+        out->pdf = (real)density;
+        out->weight = density > 0.0 ? (real)((double)cosine / density) : K(0.0);
+    } else {
+        FN(disk_density)(disk_density_of(w.map), &w, &p, cosine, &out->pdf, &out->weight);
+    }
+    FN(disk_hit)(w.hit, &w, &p, out->direction, out->point, out->normal, &out->distance, out->surface);
     return out->weight > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
+}
+
+static psc_result FN(disk_sample)(const psc_sampler *s, real u, real v, FN(psc_light_sample) *out)
+{
+    return s->sides == 0 ? PSC_EMPTY : FN(disk_sample_seen)(s, u, v, out);
 }
 
 /* ---- Blocks ---- */
@@ -261,9 +289,10 @@ static void FN(disk_direction_block)(const struct FN(psc_disk_world) *w, size_t 
     }
 }
 
-static void FN(disk_surfaces)(const struct FN(psc_disk_world) *w, size_t n,
-                              const struct FN(psc_disk_points) *restrict points,
-                              struct FN(psc_results) *restrict r)
+/* Hits of a block with the constants of one loop. */
+PSC_LANE void FN(disk_hits)(enum psc_disk_hit hit, const struct FN(psc_disk_world) *w, size_t n,
+                            const struct FN(psc_disk_points) *restrict points,
+                            struct FN(psc_results) *restrict r)
 {
     const struct FN(psc_disk_world) own = *w;
     size_t i;
@@ -273,8 +302,42 @@ static void FN(disk_surfaces)(const struct FN(psc_disk_world) *w, size_t n,
         const real direction[3] = {r->value[0][i], r->value[1][i], r->value[2][i]};
         real point[3], normal[3], distance, surface[2];
 
-        FN(disk_hit)(&own, &p, direction, point, normal, &distance, surface);
+        FN(disk_hit)(hit, &own, &p, direction, point, normal, &distance, surface);
         FN(store_surface)(r, i, point, normal, distance, surface[0], surface[1]);
+    }
+}
+
+static void FN(disk_hit_block)(const struct FN(psc_disk_world) *w, size_t n,
+                               const struct FN(psc_disk_points) *points,
+                               struct FN(psc_results) *r)
+{
+    switch (w->hit) {
+#define HIT_CASE(hit) \
+    case hit: FN(disk_hits)(hit, w, n, points, r); break
+        HIT_CASE(PSC_DISK_HIT_FLAT);
+        HIT_CASE(PSC_DISK_HIT_CHORD);
+        HIT_CASE(PSC_DISK_HIT_SOLID);
+        HIT_CASE(PSC_DISK_HIT_SOLID_CHORD);
+        HIT_CASE(PSC_DISK_HIT_AREA);
+        HIT_CASE(PSC_DISK_HIT_INSIDE);
+#undef HIT_CASE
+    }
+}
+
+static void FN(tabulated_block)(const psc_sampler *s, size_t n, const real *u, const real *v,
+                                struct FN(psc_results) *r)
+{
+    size_t i;
+
+    for (i = 0; i < n; i++) {
+        real flat[PSC_COMPONENTS];
+        FN(psc_light_sample) sample;
+        int c;
+
+        r->status[i] = FN(disk_sample_seen)(s, u[i], v[i], &sample);
+        memcpy(flat, &sample, sizeof flat);
+        for (c = 0; c < PSC_COMPONENTS; c++)
+            r->value[c][i] = flat[c];
     }
 }
 
@@ -285,12 +348,16 @@ static void FN(disk_side_block)(const psc_sampler *s, int k, size_t n, const rea
     struct FN(psc_disk_world) w;
 
     (void)k;
+    if (s->disk.map == PSC_DISK_TABULATED) {
+        FN(tabulated_block)(s, n, u, v, r);
+        return;
+    }
     FN(block_of)(&s->disk)(s, n, u, v, &points);
     FN(disk_world)(s, &w);
     FN(disk_direction_block)(&w, n, &points, r);
     FN(disk_density_block)(&w, n, &points, r);
     if (surface)
-        FN(disk_surfaces)(&w, n, &points, r);
+        FN(disk_hit_block)(&w, n, &points, r);
 }
 
 static void FN(disk_sample_n)(const psc_sampler *s, size_t count, const FN(psc_input) *uv,

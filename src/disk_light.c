@@ -34,7 +34,7 @@ psc_result psc_disk_ask_solid_angle(const struct psc_shape_row *shape, const cha
                                     const double position[3], const double *const parts[],
                                     double *solid_angle)
 {
-    const psc_technique technique = {sizeof technique, PSC_MEASURE_SOLID_ANGLE, PSC_MAP_PARALLEL, 0};
+    const psc_technique technique = {.struct_size = sizeof technique, .map = PSC_MAP_PARALLEL};
     const psc_receiver receiver = {sizeof receiver, 0, position, NULL};
     psc_sampler_storage storage;
     psc_sampler *sampler;
@@ -120,6 +120,11 @@ double psc_disk_pdf(const psc_sampler *s, const double direction[3], double epsi
         eccentric(e, &d, &c, &s1);
         return 1.0 / (ellipse_quasi_scale(e) * quasi_share_f64(e->ca * e->ca, e->cb * e->cb,
                                                                ellipse_mu2(e->ca, e->cb), c, s1));
+    }
+    if (l->map == PSC_DISK_TABULATED) {
+        double azimuth;
+
+        return table_cell_at(l, d.x, d.y, &azimuth).density;
     }
     if (l->map < PSC_DISK_AREA_RADIAL)
         return s->inverse_total;
@@ -231,6 +236,8 @@ psc_result psc_disk_invert(const psc_sampler *s, const double direction[3], doub
         invert_area(l, &d, uv);
     } else if (l->map == PSC_DISK_PARALLEL) {
         invert_chord(s, &d, uv);
+    } else if (l->map == PSC_DISK_TABULATED) {
+        table_invert(l, d.x, d.y, (d.x * d.x + d.y * d.y) / (1.0 + d.z), uv);
     } else {
         invert_radial(s, &d, uv);
     }

@@ -28,7 +28,7 @@ struct FN(psc_disk_world) {
     real far_off, beyond, solid_axis[3][3], inverse[3][3], unit, offset[3];
     enum psc_facing facing;
     enum psc_disk_map map;
-    int solid;
+    enum psc_disk_hit hit;
 };
 
 PSC_LANE void FN(disk_world)(const psc_sampler *s, struct FN(psc_disk_world) *w)
@@ -62,7 +62,7 @@ PSC_LANE void FN(disk_world)(const psc_sampler *s, struct FN(psc_disk_world) *w)
     w->unit = (real)d->unit;
     w->facing = s->facing;
     w->map = d->map;
-    w->solid = d->solid;
+    w->hit = disk_hit_of(d->map, d->solid);
     for (k = 0; k < 2; k++) {
         w->turn[k] = (real)d->turn[k];
         for (i = 0; i < 2; i++)

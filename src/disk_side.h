@@ -28,6 +28,7 @@ enum psc_disk_map {
     PSC_DISK_CONCENTRIC,
     PSC_DISK_PARALLEL,
     PSC_DISK_QUASI_UNIFORM,
+    PSC_DISK_TABULATED,
     PSC_DISK_AREA_RADIAL,
     PSC_DISK_AREA_CONCENTRIC,
     PSC_DISK_AREA_PARALLEL,
@@ -47,10 +48,31 @@ static inline enum psc_disk_density disk_density_of(enum psc_disk_map map)
                                                                           : PSC_DISK_CONSTANT;
 }
 
+/* How a direction finds its point of the light. */
+enum psc_disk_hit {
+    PSC_DISK_HIT_FLAT,
+    PSC_DISK_HIT_CHORD, /* by the parallel map */
+    PSC_DISK_HIT_SOLID,
+    PSC_DISK_HIT_SOLID_CHORD,
+    PSC_DISK_HIT_AREA,
+    PSC_DISK_HIT_INSIDE
+};
+
+static inline enum psc_disk_hit disk_hit_of(enum psc_disk_map map, int solid)
+{
+    return map >= PSC_DISK_AROUND_RADIAL ? PSC_DISK_HIT_INSIDE
+           : map >= PSC_DISK_AREA_RADIAL ? PSC_DISK_HIT_AREA
+           : map == PSC_DISK_PARALLEL    ? (solid ? PSC_DISK_HIT_SOLID_CHORD : PSC_DISK_HIT_CHORD)
+           : solid                       ? PSC_DISK_HIT_SOLID
+                                         : PSC_DISK_HIT_FLAT;
+}
+
 struct psc_disk_light {
     struct psc_ellipse seen;
     double axis[3]; /* what an offset from the axis is added to: seen.z */
     enum psc_disk_map map;
+    const float *shares; /* of PSC_DISK_TABULATED: the row of the table, with one more than cells */
+    uint32_t cells;
     int rule_f64, rule_f32; /* -1: none, cdf_solve() */
     double fit_f64[3 * PSC_MOST_TERMS_F64];
     float fit_f32[3 * PSC_MOST_TERMS_F32];

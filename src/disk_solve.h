@@ -3,10 +3,7 @@
 #ifndef PSC_SRC_DISK_SOLVE_H
 #define PSC_SRC_DISK_SOLVE_H
 
-#include "ellipse_chord.h"
-#include "sampler.h"
-
-#include "disk_map_tmpl.h"
+#include "disk_table.h"
 
 /* All directions: 1 - z = 2 inner, or by the angle around the x axis. */
 static inline void around_point(enum psc_disk_map map, double u, double v,

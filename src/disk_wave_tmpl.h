@@ -2,8 +2,8 @@
 /*
  * Wavefronts of lights that are seen as an elliptic cone. Each element is seen on its own; those
  * with a rule of interpolation are sorted by it, and fitted and sampled in loops over many. The
- * lane functions are those of the calls for one, so the bits are too. Errors are left to the
- * calls for one. Template: see precision.h.
+ * lane functions are those of the calls for one, so the bits are too. Errors, and the tabulated map,
+ * are left to the calls for one. Template: see precision.h.
  */
 
 /* The elements of one rule, packed. */
@@ -127,7 +127,7 @@ static void FN(wave_see)(const struct psc_wave *wave, FN(disk_see) see, size_t i
     int k, loop = -1;
 
     *status = PSC_PENDING;
-    if (!FN(wave_checks)(wave, i))
+    if (wave->map == PSC_MAP_TABULATED || !FN(wave_checks)(wave, i))
         return;
     request.measure = wave->measure;
     request.map = wave->map;
@@ -135,6 +135,7 @@ static void FN(wave_see)(const struct psc_wave *wave, FN(disk_see) see, size_t i
     request.position = position;
     request.normal = wave->facing == PSC_FACING_NONE ? NULL : normal;
     request.one_sided = wave->one_sided;
+    request.table = wave->table;
     request.numbers = wave->parts;
     for (k = 0; k < wave->parts; k++)
         geometry[k] = wave->geometry[k][i];
@@ -143,7 +144,7 @@ static void FN(wave_see)(const struct psc_wave *wave, FN(disk_see) see, size_t i
         *status = PSC_PENDING;
     if (*status != PSC_SUCCESS)
         return;
-    disk_head(s);
+    disk_head(s, request.table);
     if (!(s->total > 0.0)) {
         *status = PSC_EMPTY;
         return;
@@ -183,7 +184,7 @@ static void FN(wave_finish)(const struct psc_wave *wave, const struct FN(psc_dis
         for (c = 0; c < 3; c++)
             r->value[c][i] = direction[c];
         if (wave->surface) {
-            FN(disk_hit)(w, p, direction, point, normal, &distance, surface);
+            FN(disk_hit)(w->hit, w, p, direction, point, normal, &distance, surface);
             FN(store_surface)(r, i, point, normal, distance, surface[0], surface[1]);
         }
         r->status[i] = r->value[PSC_WEIGHT][i] > K(0.0) ? PSC_SUCCESS : PSC_CULLED;

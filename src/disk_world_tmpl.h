@@ -90,13 +90,14 @@ PSC_LANE void FN(inside_hit)(const struct FN(psc_disk_world) *w, const real dire
  * distance C, with r the root of 1 - q^2 and lambda = sqrt(C^2 - 1) / (C + r), the normal is
  * lambda (q_x, q_y) across and -(1 + C r) / (C + r) along.
  */
-PSC_LANE void FN(outside_hit)(const struct FN(psc_disk_world) *w, const struct FN(psc_disk_point) *p,
-                              real point[3], real normal[3], real *distance, real surface[2])
+PSC_LANE void FN(outside_hit)(enum psc_disk_hit hit, const struct FN(psc_disk_world) *w,
+                              const struct FN(psc_disk_point) *p, real point[3], real normal[3],
+                              real *distance, real surface[2])
 {
     real height, margin, x, y, qx, qy, inverse;
     int i;
 
-    if (w->map == PSC_DISK_PARALLEL)
+    if (hit == PSC_DISK_HIT_CHORD || hit == PSC_DISK_HIT_SOLID_CHORD)
         FN(chord_depth)(w->ca, w->cb, p, &height, &margin);
     else
         FN(cone_depth)(w->ca, w->cb, p, &height, &margin);
@@ -105,7 +106,7 @@ PSC_LANE void FN(outside_hit)(const struct FN(psc_disk_world) *w, const struct F
     FN(boost)(w->near, w->far, w->turn[0] * x + w->turn[1] * y, w->turn[0] * y - w->turn[1] * x,
               height, margin, &qx, &qy, &inverse);
     *distance = K(2.0) * w->reach * inverse;
-    if (w->solid) {
+    if (hit == PSC_DISK_HIT_SOLID || hit == PSC_DISK_HIT_SOLID_CHORD) {
         const real r = MIN(K(2.0) * SQRT(margin) * inverse, K(1.0));
         const real share = K(1.0) / (w->far_off + r), lambda = w->beyond * share;
         const real unit[3] = {lambda * qx, lambda * qy, -(K(1.0) + w->far_off * r) * share};
@@ -137,16 +138,16 @@ PSC_LANE void FN(area_hit)(const struct FN(psc_disk_world) *w, const struct FN(p
     surface[1] = p->c * w->side[0][1] + p->s * w->side[1][1];
 }
 
-PSC_LANE void FN(disk_hit)(const struct FN(psc_disk_world) *w, const struct FN(psc_disk_point) *p,
-                           const real direction[3], real point[3], real normal[3], real *distance,
-                           real surface[2])
+PSC_LANE void FN(disk_hit)(enum psc_disk_hit hit, const struct FN(psc_disk_world) *w,
+                           const struct FN(psc_disk_point) *p, const real direction[3],
+                           real point[3], real normal[3], real *distance, real surface[2])
 {
-    if (w->map >= PSC_DISK_AROUND_RADIAL) {
+    if (hit == PSC_DISK_HIT_INSIDE) {
         FN(inside_hit)(w, direction, point, normal, distance);
         surface[0] = surface[1] = K(0.0);
-    } else if (w->map >= PSC_DISK_AREA_RADIAL) {
+    } else if (hit == PSC_DISK_HIT_AREA) {
         FN(area_hit)(w, p, point, normal, distance, surface);
     } else {
-        FN(outside_hit)(w, p, point, normal, distance, surface);
+        FN(outside_hit)(hit, w, p, point, normal, distance, surface);
     }
 }

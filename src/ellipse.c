@@ -5,7 +5,7 @@
 static const char geometry[] = "vvv"; /* center, two conjugate semi-axes */
 
 const struct psc_shape_row psc_shape_ellipse = {
-    PSC_SHAPE_ELLIPSE, PSC_KERNEL_ELLIPSE, {15, 0, 7, 0}, psc_disk_whole_solid_angle,
+    PSC_SHAPE_ELLIPSE, PSC_KERNEL_ELLIPSE, {31, 0, 7, 0}, psc_disk_whole_solid_angle,
     psc_disk_projected_solid_angle, psc_disk_area, psc_disk_pdf, psc_disk_invert};
 
 psc_result psc_build_ellipse(psc_sampler *sampler, const psc_technique *technique,

@@ -5,7 +5,7 @@
 static const char geometry[] = "vvvv"; /* center, three conjugate semi-axes */
 
 const struct psc_shape_row psc_shape_ellipsoid = {
-    PSC_SHAPE_ELLIPSOID, PSC_KERNEL_ELLIPSOID, {15, 0, 0, 0}, psc_disk_whole_solid_angle,
+    PSC_SHAPE_ELLIPSOID, PSC_KERNEL_ELLIPSOID, {31, 0, 0, 0}, psc_disk_whole_solid_angle,
     psc_disk_projected_solid_angle, psc_disk_area, psc_disk_pdf, psc_disk_invert};
 
 psc_result psc_build_ellipsoid(psc_sampler *sampler, const psc_technique *technique,

@@ -34,6 +34,8 @@ const char *psc_result_string(psc_result result)
     case PSC_ERROR_NOT_PLANAR: return "the vertices of the polygon are not in one plane";
     case PSC_ERROR_NOT_CONVEX: return "the polygon is not convex";
     case PSC_ERROR_NOT_RECTANGLE: return "the edges of the rectangle are not perpendicular";
+    case PSC_ERROR_NEEDS_TABLE: return "the tabulated map needs a table made by psc_table_init()";
+    case PSC_ERROR_RESOLUTION: return "the resolution of a table is from 2 to 1024";
     default: return "unknown result";
     }
 }

@@ -53,6 +53,7 @@ struct psc_request {
     const double *position;
     const double *normal; /* finite and not zero, or NULL */
     int one_sided;        /* whether the light leaves its surface on one side only */
+    const psc_table *table;
     int numbers;          /* of the geometry */
 };
 
@@ -149,6 +150,7 @@ struct psc_wave {
     psc_map map;
     enum psc_facing facing;
     int one_sided;
+    const psc_table *table;
     int parts; /* numbers of the geometry */
     size_t count;
     int surface; /* whether point, normal, distance or surface are wanted */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Checking the caller's descriptions: sizes, enumerators, numbers. */
 #include "sampler.h"
+#include "table.h"
 #include "vector.h"
 
 psc_result psc_check_struct(const void *from, size_t size)
@@ -39,12 +40,13 @@ psc_result psc_check_technique(const psc_technique *technique, struct psc_reques
         return result;
     if (technique->measure > PSC_MEASURE_VISIBLE_AREA)
         return PSC_ERROR_UNKNOWN_MEASURE;
-    if (technique->map > PSC_MAP_QUASI_UNIFORM)
+    if (technique->map > PSC_MAP_TABULATED)
         return PSC_ERROR_UNKNOWN_MAP;
     if (technique->flags & ~(uint32_t)PSC_TECHNIQUE_ONE_SIDED)
         return PSC_ERROR_UNKNOWN_FLAG;
     request->measure = technique->measure;
     request->map = technique->map;
+    request->table = technique->table;
     request->one_sided = (technique->flags & PSC_TECHNIQUE_ONE_SIDED) != 0;
     return PSC_SUCCESS;
 }
@@ -79,6 +81,9 @@ psc_result psc_check_offer(const struct psc_shape_row *shape, const struct psc_r
 {
     if (!(shape->maps[request->measure] >> request->map & 1))
         return PSC_ERROR_UNSUPPORTED_TECHNIQUE;
+    if (request->map == PSC_MAP_TABULATED &&
+        (!request->table || request->table->magic != PSC_TABLE_MAGIC))
+        return PSC_ERROR_NEEDS_TABLE;
     return request->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE &&
                    request->facing == PSC_FACING_NONE
                ? PSC_ERROR_NEEDS_NORMAL

@@ -18,6 +18,7 @@ static void FN(build_and_sample)(const struct psc_shape_row *shape, uint32_t fla
     request.measure = wave->measure;
     request.map = wave->map;
     request.one_sided = wave->one_sided;
+    request.table = wave->table;
     request.numbers = wave->parts;
     for (c = 0; c < wave->parts; c++)
         geometry[c] = wave->geometry[c][i];
@@ -96,6 +97,7 @@ psc_result FN(psc_wavefront)(const struct psc_shape_row *shape, const char *kind
     wave.map = request.map;
     wave.facing = request.facing;
     wave.one_sided = request.one_sided;
+    wave.table = request.table;
     wave.parts = request.numbers;
     block = MIN(PSC_BLOCK, PSC_WAVE_NUMBERS / (size_t)request.numbers);
     for (k = 0; k < request.numbers; k++)

@@ -47,6 +47,8 @@ CONSTANT(PSC_ERROR_VERTEX_COUNT, -16);
 CONSTANT(PSC_ERROR_NOT_PLANAR, -17);
 CONSTANT(PSC_ERROR_NOT_CONVEX, -18);
 CONSTANT(PSC_ERROR_NOT_RECTANGLE, -19);
+CONSTANT(PSC_ERROR_NEEDS_TABLE, -20);
+CONSTANT(PSC_ERROR_RESOLUTION, -21);
 
 TYPE(psc_measure, uint32_t);
 CONSTANT(PSC_MEASURE_SOLID_ANGLE, 0);
@@ -59,6 +61,7 @@ CONSTANT(PSC_MAP_RADIAL, 0);
 CONSTANT(PSC_MAP_PARALLEL, 1);
 CONSTANT(PSC_MAP_CONCENTRIC, 2);
 CONSTANT(PSC_MAP_QUASI_UNIFORM, 3);
+CONSTANT(PSC_MAP_TABULATED, 4);
 CONSTANT(PSC_TECHNIQUE_ONE_SIDED, 1);
 
 TYPE(psc_shape, uint32_t);
@@ -82,11 +85,12 @@ CONSTANT(PSC_CASE_NO_HORIZON, 5);
 CONSTANT(PSC_CASE_ABOVE, 6);
 CONSTANT(PSC_CASE_CLIPPED, 7);
 
-SIZE(psc_technique, 16, 4);
+SIZE(psc_technique, 16 + W, W);
 FIELD(psc_technique, struct_size, 0, uint32_t *);
 FIELD(psc_technique, measure, 4, uint32_t *);
 FIELD(psc_technique, map, 8, uint32_t *);
 FIELD(psc_technique, flags, 12, uint32_t *);
+FIELD(psc_technique, table, 16, const psc_table **);
 
 CONSTANT(PSC_RECEIVER_TWO_SIDED, 1);
 SIZE(psc_receiver, 8 + 2 * W, W);
@@ -313,14 +317,16 @@ FIELD(psc_description, reserved, 20, uint32_t *);
     F(57, rectangle_solid_angle, int32_t, \
       (const double *, const double *, const double *, const double *, double *)) \
     F(58, polygon_solid_angle, int32_t, \
-      (const double *, size_t, const double *, ptrdiff_t, double *))
+      (const double *, size_t, const double *, ptrdiff_t, double *)) \
+    F(59, table_size, size_t, (uint32_t)) \
+    F(60, table_init, int32_t, (void *, size_t, uint32_t, const psc_table **))
 
 #define FUNCTION(place, name, result, parameters) \
     _Static_assert(_Generic(&psc_##name, result(*) parameters : 1, default : 0), "psc_" #name); \
     FIELD(psc_api_1, name, (place) * W, result(**) parameters);
 
 FUNCTIONS(FUNCTION)
-SIZE(psc_api_1, 59 * W, W);
+SIZE(psc_api_1, 61 * W, W);
 _Static_assert(_Generic(&psc_get_api, int32_t (*)(uint32_t, void *, size_t) : 1, default : 0),
                "psc_get_api");
 

@@ -18,15 +18,41 @@ struct test_technique {
 /* Only nearly uniform: the density is what the pdf says. */
 static inline int is_uneven(const struct test_technique *what)
 {
-    return what->map == PSC_MAP_QUASI_UNIFORM;
+    return what->map >= PSC_MAP_QUASI_UNIFORM;
+}
+
+/* Whether points of the square are rejected, and the map jumps: see psc_table_init(). */
+static inline int is_tabulated(const struct test_technique *what)
+{
+    return what->map == PSC_MAP_TABULATED;
+}
+
+static inline int is_rejected(const struct test_technique *what, double pdf)
+{
+    return is_tabulated(what) && pdf == 0.0;
+}
+
+/* A small table for all tests. */
+static inline const psc_table *test_table(void)
+{
+    static union {
+        double align;
+        unsigned char bytes[20000];
+    } memory;
+    static const psc_table *table;
+
+    if (!table)
+        psc_table_init(&memory, sizeof memory, 64, &table);
+    return table;
 }
 
 static inline psc_technique make_technique(psc_measure measure, psc_map map)
 {
-    psc_technique technique = {sizeof technique, 0, 0, 0};
+    psc_technique technique = {.struct_size = sizeof technique};
 
     technique.measure = measure;
     technique.map = map;
+    technique.table = map == PSC_MAP_TABULATED ? test_table() : NULL;
     return technique;
 }
 

@@ -88,6 +88,7 @@ static const struct test_technique flat_techniques[] = {
     {"solid angle, parallel", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_PARALLEL},
     {"solid angle, concentric", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_CONCENTRIC},
     {"solid angle, quasi-uniform", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_QUASI_UNIFORM},
+    {"solid angle, tabulated", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_TABULATED},
     {"area, radial", PSC_MEASURE_AREA, PSC_MAP_RADIAL},
     {"area, parallel", PSC_MEASURE_AREA, PSC_MAP_PARALLEL},
     {"area, concentric", PSC_MEASURE_AREA, PSC_MAP_CONCENTRIC},
@@ -268,6 +269,7 @@ static const struct test_technique solid_techniques[] = {
     {"solid angle, parallel", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_PARALLEL},
     {"solid angle, concentric", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_CONCENTRIC},
     {"solid angle, quasi-uniform", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_QUASI_UNIFORM},
+    {"solid angle, tabulated", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_TABULATED},
     {NULL, 0, 0},
 };
 

@@ -154,7 +154,7 @@ static void normals(const struct shape *shape)
 }
 
 /* What the library knows, and no more. */
-enum { MEASURES = 4, MAPS = 4 };
+enum { MEASURES = 4, MAPS = 5 };
 
 static void techniques(const struct shape *shape)
 {
@@ -189,6 +189,7 @@ static void techniques(const struct shape *shape)
             good_input(shape, shape->techniques, &in);
             in.technique.measure = measure;
             in.technique.map = map;
+            in.technique.table = test_table();
             snprintf(words, sizeof words, "measure %u, map %u", (unsigned)measure, (unsigned)map);
             expect_input(words, &in, expected);
         }
@@ -197,7 +198,7 @@ static void techniques(const struct shape *shape)
 /* Sizes of descriptions: too short, and as a later version may have them. */
 static void sizes(const struct shape *shape)
 {
-    struct { psc_technique t; uint64_t more[2]; } technique = {{0, 0, 0, 0}, {0, 0}};
+    struct { psc_technique t; uint64_t more[2]; } technique = {{0, 0, 0, 0, NULL}, {0, 0}};
     struct { psc_receiver r; uint64_t more[2]; } receiver = {{0, 0, NULL, NULL}, {0, 0}};
     struct input in;
     uint32_t size;

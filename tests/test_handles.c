@@ -13,15 +13,15 @@ static const double origin[3] = {0.0, 0.0, 0.0}, up[3] = {0.0, 0.0, 1.0};
 
 static void results(void)
 {
-    static const psc_result strange[] = {4, 5, 1000, -16, -1000, INT32_MIN, INT32_MAX};
+    static const psc_result strange[] = {4, 5, 1000, -22, -1000, INT32_MIN, INT32_MAX};
     int a, b;
     size_t i;
 
-    for (a = PSC_ERROR_UNKNOWN_VERSION; a <= PSC_OUTSIDE; a++) {
+    for (a = PSC_ERROR_RESOLUTION; a <= PSC_OUTSIDE; a++) {
         const char *words = psc_result_string(a);
         int distinct = words && strlen(words) > 3;
 
-        for (b = PSC_ERROR_UNKNOWN_VERSION; distinct && b < a; b++)
+        for (b = PSC_ERROR_RESOLUTION; distinct && b < a; b++)
             distinct = strcmp(words, psc_result_string(b)) != 0;
         tap_ok(distinct, "result %d has words of its own: %s", a, words ? words : "(none)");
     }

@@ -118,7 +118,8 @@ static void check(int bits, const struct light *light, const psc_sampler *sample
         worst_add(&e->weight, fabs(s->weight * s->pdf - cosine) / unit, text, name, bits, u, v);
     away = turned_away(light, sampler, s);
     off = fmax(-cosine, away);
-    worst_add(&e->culled, (result == PSC_CULLED ? -off : off) / unit, text, name, bits, u, v);
+    if (!is_rejected(light->what, s->pdf))
+        worst_add(&e->culled, (result == PSC_CULLED ? -off : off) / unit, text, name, bits, u, v);
     psc_sampler_total(sampler, &total);
     if (isfinite(s->pdf))
         worst_add(&e->density, fabs(density_error(light, total, s)) / unit, text, name, bits, u,

@@ -133,6 +133,8 @@ static void one_sample(int bits, psc_sampler *sampler, const struct light *light
 
     if (sample_any(bits, sampler, u, v, &here) == PSC_CULLED && closed)
         return; /* a direction belongs to the near side, whose sample it is not */
+    if (is_rejected(light->what, here.pdf))
+        return;
     sensitivity(sampler, light, u, v, open);
     invert_any(bits, sampler, here.direction, uv);
     memset(&there, 0xff, sizeof there);

@@ -158,6 +158,8 @@ int main(void)
 
     for (i = 0; shapes[i]; i++)
         for (FOR_TECHNIQUES(shapes[i], what)) {
+            if (is_tabulated(what))
+                continue; /* which does jump */
             paths(shapes[i], what, 0);
             paths(shapes[i], what, 1);
         }

@@ -9,12 +9,18 @@
 #include "rays.h"
 #include "worst.h"
 
-enum { LIGHTS = 24, N = 144, RAYS = 100000 };
+enum { LIGHTS = 24, RAYS = 100000 };
 
 /* The lattices miss more of an outline that is not the cone's. */
 static double bound(const struct shape *shape)
 {
     return is_distant(shape) || shape == &shape_sphere ? 1e-3 : 2.5e-3;
+}
+
+/* Points of a lattice on each side: more for a map with edges all over the square. */
+static int lattice(const struct test_technique *what)
+{
+    return is_tabulated(what) ? 576 : 144;
 }
 
 /* Whether the direction of the sample is one that no other has: the far side of a closed light
@@ -24,6 +30,8 @@ static int is_near(const struct light *light, const psc_sampler *sampler,
 {
     psc_description d = {sizeof d, 0, 0, 0, 0, 0};
 
+    if (is_rejected(light->what, s->pdf))
+        return 0;
     if (light->shape->flat || light->what->measure != PSC_MEASURE_AREA)
         return 1;
     psc_sampler_describe(sampler, &d);
@@ -38,17 +46,18 @@ struct sums {
 static struct sums take_samples(const struct light *light, const psc_sampler *sampler)
 {
     struct sums sums = {0.0, 0.0};
+    const int n = lattice(light->what);
     int i, j;
 
-    for (i = 0; i < N; i++)
-        for (j = 0; j < N; j++) {
+    for (i = 0; i < n; i++)
+        for (j = 0; j < n; j++) {
             psc_light_sample_f64 s;
 
             memset(&s, 0xff, sizeof s);
-            psc_sample_f64(sampler, (i + 0.5) / N, (j + 0.5) / N, &s);
-            sums.projected += s.weight / (N * N);
+            psc_sample_f64(sampler, (i + 0.5) / n, (j + 0.5) / n, &s);
+            sums.projected += s.weight / (n * n);
             if (is_near(light, sampler, &s))
-                sums.solid += 1.0 / s.pdf / (N * N);
+                sums.solid += 1.0 / s.pdf / (n * n);
         }
     return sums;
 }

@@ -42,8 +42,8 @@ struct technique : psc_technique {
     {
     }
     explicit technique(psc_measure measure_, psc_map map_ = PSC_MAP_RADIAL,
-                       std::uint32_t flags_ = 0) noexcept
-        : psc_technique{sizeof(psc_technique), measure_, map_, flags_}
+                       std::uint32_t flags_ = 0, const psc_table *table_ = nullptr) noexcept
+        : psc_technique{sizeof(psc_technique), measure_, map_, flags_, table_}
     {
     }
 };

@@ -9,7 +9,7 @@ int main(void)
     static const double position[3] = {0, 0, 0}, normal[3] = {0, 0, 1}, center[3] = {0, 0, 2};
     const double pi = 3.14159265358979;
     psc_technique technique = {sizeof technique, PSC_MEASURE_PROJECTED_SOLID_ANGLE,
-                               PSC_MAP_CONCENTRIC, 0};
+                               PSC_MAP_CONCENTRIC, 0, NULL};
     psc_receiver receiver = {sizeof receiver, 0, position, normal};
     psc_sampler_storage storage;
     psc_sampler *sampler;

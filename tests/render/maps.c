@@ -23,7 +23,8 @@ void map_build(psc_sampler *sampler, const technique_row *column, const map_row 
 {
     static const double origin[3] = {0, 0, 0}, up[3] = {0, 0, 1};
     const psc_receiver receiver = {sizeof receiver, 0, origin, row->horizon ? up : NULL};
-    const psc_technique technique = {sizeof technique, column->measure, column->map, 0};
+    const psc_technique technique = {.struct_size = sizeof technique, .measure = column->measure,
+                                     .map = column->map};
     psc_description description = {.struct_size = sizeof description};
 
     map_check(row->shape->build(sampler, &technique, &receiver, row->number, map_vectors(row)),

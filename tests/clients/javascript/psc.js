@@ -20,6 +20,7 @@ const koffi = require('koffi');
 koffi.opaque('psc_sampler');
 koffi.struct('psc_technique', {
     struct_size: 'uint32_t', measure: 'uint32_t', map: 'uint32_t', flags: 'uint32_t',
+    table: 'void *',
 });
 koffi.struct('psc_receiver', {
     struct_size: 'uint32_t', flags: 'uint32_t', position: 'const double *',
@@ -159,7 +160,7 @@ module.exports = path => {
 
     function technique({ measure = 0, map = 0, flags = 0 } = {})
     {
-        return { struct_size: koffi.sizeof('psc_technique'), measure, map, flags };
+        return { struct_size: koffi.sizeof('psc_technique'), measure, map, flags, table: null };
     }
 
     function borrow({ position, normal = null, flags = 0 })

@@ -18,7 +18,7 @@ import ctypes
 import numpy
 
 SOLID_ANGLE, PROJECTED_SOLID_ANGLE, AREA, VISIBLE_AREA = range(4)
-RADIAL, PARALLEL, CONCENTRIC, QUASI_UNIFORM = range(4)
+RADIAL, PARALLEL, CONCENTRIC, QUASI_UNIFORM, TABULATED = range(5)
 ONE_SIDED = 1  # of a light
 TWO_SIDED = 1  # of a receiver
 SUCCESS, EMPTY, CULLED, OUTSIDE = range(4)
@@ -48,7 +48,8 @@ class Error(Exception):
 
 class Technique(ctypes.Structure):
     _fields_ = [('struct_size', ctypes.c_uint32), ('measure', ctypes.c_uint32),
-                ('map', ctypes.c_uint32), ('flags', ctypes.c_uint32)]
+                ('map', ctypes.c_uint32), ('flags', ctypes.c_uint32),
+                ('table', ctypes.c_void_p)]
 
 
 class Receiver(ctypes.Structure):

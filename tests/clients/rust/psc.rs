@@ -32,6 +32,7 @@ pub mod sys {
         pub measure: u32,
         pub map: u32,
         pub flags: u32,
+        pub table: *const u8,
     }
     #[repr(C)]
     pub struct Receiver {
@@ -204,6 +205,7 @@ impl Technique {
             measure: self.measure as u32,
             map: self.map as u32,
             flags: self.one_sided as u32,
+            table: std::ptr::null(),
         }
     }
 }
