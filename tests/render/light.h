@@ -33,15 +33,18 @@ typedef struct light_shape {
     psc_result (*sample_n)(const psc_technique *technique, size_t count,
                            const psc_receivers_f32 *receivers, const psc_input_f32 *part,
                            size_t vectors, const psc_input_f32 *uv, const psc_samples_f32 *out);
-    psc_result (*form_factor)(const psc_receiver *receiver, const double *number, size_t vectors,
-                              double *form_factor);
+    /* Integral over the light of cosine * exp(-extinction * distance), without its blockers: for a
+       receiver without normal the cosine is 1, and for one with there is no extinction. */
+    double (*exact)(const psc_receiver *receiver, const double *number, size_t vectors,
+                    double extinction);
     /* Where a ray meets the light first: a distance, infinite if nowhere. */
     float (*meet)(const float *number, size_t vectors, vec3 origin, vec3 direction);
     /* The point p on the edge, which is closed: t from 0 to 1. NULL for solids. */
     void (*outline)(const double *number, size_t vectors, double t, double p[3]);
 } light_shape;
 
-extern const light_shape light_sphere, light_cap;
+extern const light_shape light_sphere, light_cap, light_disk, light_ellipse, light_ellipsoid,
+    light_triangle, light_rectangle, light_polygon;
 
 /* The calls above for an emitter. */
 psc_result light_build(const emitter *l, psc_sampler *sampler, const psc_technique *technique,
@@ -49,7 +52,7 @@ psc_result light_build(const emitter *l, psc_sampler *sampler, const psc_techniq
 psc_result light_sample_n(const emitter *l, const psc_technique *technique, size_t count,
                           const psc_receivers_f32 *receivers, const psc_input_f32 *uv,
                           const psc_samples_f32 *out);
-psc_result light_form_factor(const emitter *l, const psc_receiver *receiver, double *form_factor);
+double light_exact(const emitter *l, const psc_receiver *receiver, double extinction);
 float light_meet(const emitter *l, vec3 origin, vec3 direction);
 
 /* Where a ray meets a ball first, or leaves it from inside; infinite if nowhere. */

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Renders direct light from spheres and the sun with solid-angle sampling and with projected
-   solid angle, and compares them: the evaluation of Urena and Georgiev, Stratified Sampling of
-   Projected Spherical Caps, EGSR 2018, section 5. */
+/* Renders direct light from lights of every shape by every technique and compares them: the
+   evaluation of Urena and Georgiev, Stratified Sampling of Projected Spherical Caps, EGSR 2018,
+   section 5, and the scenes of Guillen et al., Area-Preserving Parameterizations for Spherical
+   Ellipses, EGSR 2017. */
 #include "evaluate.h"
 
 #include <errno.h>
@@ -13,14 +14,15 @@
 
 static const char usage[] =
     "Usage: render [options] [scene...]\n"
-    "Renders the scenes (all of them, if none is named) with solid-angle sampling and with\n"
-    "projected solid angle, writes pictures and prints a table that compares the two.\n"
-    "Fails if unoccluded light is not noise-free to rounding.\n"
+    "Renders the scenes (all of them, if none is named) by every technique that their lights\n"
+    "offer, writes pictures and prints tables that compare them. Fails if samples do not\n"
+    "converge to what is exact, or if unoccluded light by projected solid angle is not\n"
+    "noise-free to rounding.\n"
     "\n"
     "  -o, --output DIR     where pictures go; made if missing (render-output)\n"
-    "  -w, --width N        pixels across each picture (256)\n"
+    "  -w, --width N        pixels across each picture (192)\n"
     "  -n, --samples N      most samples a pixel in the error curves, at least 4 (16)\n"
-    "  -r, --reference N    samples of the reference at each of a pixel's 4 hits, from 16 (128)\n"
+    "  -r, --reference N    samples of the reference at each of a pixel's 4 hits, from 16 (64)\n"
     "  -p, --points SET     sobol (Owen-scrambled) or jittered (sobol)\n"
     "  -s, --seed N         another seed, another noise (1)\n"
     "  -k, --repeat N       times are medians of this many runs, at most 32 (3)\n"
@@ -134,7 +136,7 @@ static void write_gallery(const options *o, panel pictures[SCENE_COUNT][GALLERY]
 int main(int argc, char **argv)
 {
     const long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    options o = {.width = 256, .reference = 128, .samples = 16, .repeat = 3, .seed = 1,
+    options o = {.width = 192, .reference = 64, .samples = 16, .repeat = 3, .seed = 1,
                  .threads = processors < 1 ? 1 : processors > 64 ? 64 : (unsigned)processors,
                  .output = "render-output"};
     panel pictures[SCENE_COUNT][GALLERY] = {0};
@@ -162,8 +164,8 @@ int main(int argc, char **argv)
     printf("Direct light, %s points, seed %u, one sample per light and camera ray, f32 wavefront "
            "calls.\nTimes are processor time for sampling and shadow rays, summed over %u "
            "thread%s; camera\nrays are shared and not counted. effic. = 1 / (MSE x time). RMS* = "
-           "RMS error over that of\nsolid angle given the same time. Below 1 is better but for "
-           "effic.\n",
+           "RMS error over that of\nthe first technique given the same time. Below 1 is better "
+           "but for effic.\n",
            o.set == POINTS_SOBOL ? "Owen-scrambled Sobol" : "jittered", o.seed, o.threads,
            o.threads > 1 ? "s" : "");
     for (int i = 0; i < SCENE_COUNT; ++i)

@@ -26,4 +26,12 @@ void make_cornell(scene *s);
 void make_dome(scene *s);
 void make_sun(scene *s);
 
+/* scenes_disks.c */
+void make_disk(scene *s);
+void make_fog(scene *s);
+void make_ellipsoids(scene *s);
+
+/* scenes_polygons.c */
+void make_windows(scene *s);
+
 #endif

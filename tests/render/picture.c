@@ -107,10 +107,15 @@ static void font(cairo_t *cr, double size, cairo_font_weight_t weight)
     cairo_set_font_size(cr, size);
 }
 
-static void heading(cairo_t *cr, double x, double y, double size, const char *words)
+/* In smaller letters if there is no room. */
+static void heading(cairo_t *cr, double x, double y, double size, double room, const char *words)
 {
+    cairo_text_extents_t e;
     cairo_set_source_rgb(cr, 0.95, 0.95, 0.95);
     font(cr, size, CAIRO_FONT_WEIGHT_BOLD);
+    cairo_text_extents(cr, words, &e);
+    if (e.x_advance > room)
+        font(cr, size * room / e.x_advance, CAIRO_FONT_WEIGHT_BOLD);
     cairo_move_to(cr, x, y);
     cairo_show_text(cr, words);
 }
@@ -138,7 +143,7 @@ static void draw_panel(cairo_t *cr, const panel *p, double x, double y)
     const double view = (p->width - GAP) / 2.0;
     const double size = p->width < 230 ? 10.5 : 13;
 
-    heading(cr, x, y - 8, size + 1, p->heading);
+    heading(cr, x, y - 8, size + 1, p->width, p->heading);
     cairo_set_source_surface(cr, s, x, y);
     cairo_paint(cr);
     label(cr, x, y, size, p->label);
@@ -177,7 +182,7 @@ void sheet_write(const char *path, const char *title, const panel *panels, unsig
 
     cairo_set_source_rgb(cr, 0.11, 0.11, 0.13);
     cairo_paint(cr);
-    heading(cr, GAP, TITLE - 12, 16, title);
+    heading(cr, GAP, TITLE - 12, 16, columns * across - GAP, title);
     for (unsigned i = 0; i < rows * columns; ++i)
         draw_panel(cr, &panels[i], GAP + i % columns * across,
                    TITLE + HEADING + i / columns * down);

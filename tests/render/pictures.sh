@@ -12,9 +12,21 @@ shrink() {
     convert "$work/$1.png" +dither -colors "$2" -define png:compression-level=9 \
         "png8:$here/pictures/$1.png"
 }
+# The upper half, which is that of one sample a pixel.
+upper() {
+    height=$(identify -format %h "$work/$1.png")
+    convert "$work/$1.png" -crop "x$(((height + 34) / 2))+0+0" +repage "$work/$1.png"
+}
 "$build/tests/render/maps" "$work"
 "$build/tests/render/render" --output "$work" --width 224 --repeat 1 --samples 4 \
     cornell cornell-open sun
+"$build/tests/render/render" --output "$work" --width 200 --repeat 1 --samples 4 disk fog windows
 shrink gallery 255
 shrink sun 96
 shrink maps 24
+shrink maps-disks 24
+shrink maps-polygons 24
+for scene in disk fog windows; do
+    upper $scene
+    shrink $scene 128
+done

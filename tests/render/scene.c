@@ -23,9 +23,9 @@ static void sky(const scene *s, vec3 direction, hit *h)
     h->albedo = add(scale(s->horizon, 1 - t), scale(s->zenith, t));
 }
 
-int scene_look(const scene *s, float x, float y, hit *h)
+/* The first thing on a ray of the camera; returns whether it is a surface. */
+static int look(const scene *s, vec3 d, hit *h, float *distance)
 {
-    const vec3 d = unit(add(s->forward, add(scale(s->right, x), scale(s->up, y))));
     float nearest = INFINITY;
     int surface = 0;
 
@@ -59,7 +59,42 @@ int scene_look(const scene *s, float x, float y, hit *h)
             h->albedo = b->albedo;
         }
     }
+    *distance = nearest;
     return surface;
+}
+
+/* Replaces what a ray ends at by a point of the fog before it: nearer to the light more of them, by
+   the angle under which the light sees them [C. Kulla, M. Fajardo, Importance Sampling Techniques
+   for Path Tracing in Participating Media, EGSR 2012, section 4.1]. */
+static void look_into_fog(const scene *s, vec3 d, float u, float distance, hit *h)
+{
+    const float *n = s->lights[0].number;
+    const vec3 to_light = sub((vec3){n[0], n[1], n[2]}, s->eye);
+    const float nearest = dot(to_light, d), end = fminf(distance, s->depth);
+    const vec3 aside = sub(to_light, scale(d, nearest));
+    const float height = sqrtf(dot(aside, aside));
+    const float first = atan2f(-nearest, height), last = atan2f(end - nearest, height);
+    const float t = nearest + height * tanf(first + u * (last - first));
+    const float spread = (last - first) * (height + (t - nearest) * (t - nearest) / height);
+    const float share = s->fog * expf(-s->fog * t) / 4 * spread; /* pi * phase is 1 / 4 */
+
+    h->position = add(s->eye, scale(d, t));
+    h->normal = (vec3){0, 0, 0};
+    h->albedo = (vec3){share, share, share};
+}
+
+int scene_look(const scene *s, float x, float y, float u, hit *h, vec3 *backdrop)
+{
+    const vec3 d = unit(add(s->forward, add(scale(s->right, x), scale(s->up, y))));
+    float distance;
+    const int surface = look(s, d, h, &distance);
+
+    *backdrop = surface ? mul(h->albedo, s->fill) : h->albedo;
+    if (s->fog == 0)
+        return surface;
+    *backdrop = scale(*backdrop, expf(-s->fog * fminf(distance, s->depth)));
+    look_into_fog(s, d, u, distance, h);
+    return 1;
 }
 
 int scene_blocked(const scene *s, const hit *from, vec3 direction, float distance)

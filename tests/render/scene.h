@@ -25,10 +25,10 @@ typedef struct cutout {
     float x, y, width;
 } cutout;
 
-/* What a scene compares; solid angle first, which all others are compared with. */
-enum { TECHNIQUES = 6 };
+/* What a scene compares: all others with the first. References are made by one of them. */
+enum { TECHNIQUES = 8 };
 typedef struct comparison {
-    unsigned count;
+    unsigned count, reference;
     technique_row row[TECHNIQUES];
 } comparison;
 
@@ -40,6 +40,8 @@ typedef struct scene {
     vec3 eye, forward, right, up;
     vec3 horizon, zenith;  /* what is seen where there is nothing */
     vec3 fill;             /* irradiance / pi that is there besides the lights */
+    float fog;             /* scattering per length, which takes as much light away; 0 for none */
+    float depth;           /* how far the fog is looked into where no surface ends it */
     cutout crops[2];
     quad quads[160];
     ball balls[40];
@@ -47,20 +49,22 @@ typedef struct scene {
     size_t quad_count, ball_count, light_count;
 } scene;
 
-/* What a camera ray hits: a surface point, or else a colour alone (in albedo). */
+/* What a camera ray hits: a surface point, or else a colour alone (in albedo). In fog, a point
+   without normal (zero) and, in albedo, pi times the share of the light there that is seen. */
 typedef struct hit {
     vec3 position, normal, albedo;
     uint32_t pixel;
 } hit;
 
-enum { SCENE_COUNT = 5 };
+enum { SCENE_COUNT = 13 };
 
 /* Makes scene number 0 to SCENE_COUNT - 1. */
 void scene_make(scene *s, int number);
 
-/* Follows a ray of the camera through (x, y), each from -1 to 1; returns whether it ends on a
-   surface rather than on a light or in the sky. */
-int scene_look(const scene *s, float x, float y, hit *h);
+/* Follows a ray of the camera through (x, y), each from -1 to 1; returns whether it ends at a
+   point to be lit rather than on a light or in the sky. In fog the points of a ray are chosen by
+   u, from 0 to 1. Sets backdrop to what is seen besides the light to be sampled. */
+int scene_look(const scene *s, float x, float y, float u, hit *h, vec3 *backdrop);
 
 /* Whether anything is between a hit and a light in this direction at this distance. */
 int scene_blocked(const scene *s, const hit *from, vec3 direction, float distance);

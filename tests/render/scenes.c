@@ -5,11 +5,31 @@
 #include <string.h>
 
 static const comparison spheres = {
-    4,
+    4, 0,
     {{"solid angle", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL},
      {"projected, radial", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_RADIAL},
      {"projected, parallel", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_PARALLEL},
      {"projected, concentric", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_CONCENTRIC}}};
+
+static const comparison disks = {
+    5, 2,
+    {{"area", PSC_MEASURE_AREA, PSC_MAP_CONCENTRIC},
+     {"solid angle, radial", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL},
+     {"solid angle, concentric", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_CONCENTRIC},
+     {"solid angle, parallel", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_PARALLEL},
+     {"quasi-uniform", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_QUASI_UNIFORM}}};
+
+static const comparison ellipsoids = {
+    4, 1,
+    {{"solid angle, radial", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL},
+     {"solid angle, concentric", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_CONCENTRIC},
+     {"solid angle, parallel", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_PARALLEL},
+     {"quasi-uniform", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_QUASI_UNIFORM}}};
+
+static const comparison polygons = {
+    2, 1,
+    {{"area", PSC_MEASURE_AREA, PSC_MAP_RADIAL},
+     {"solid angle", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL}}};
 
 static const struct {
     const char *name, *title;
@@ -24,6 +44,20 @@ static const struct {
     {"dome-open", "Sphere cutting the floor, its centre below, no occluders", 1, make_dome,
      &spheres},
     {"sun", "Low sun, its centre below the horizon, occluders", 0, make_sun, &spheres},
+    {"disk", "Disk upright on the ground, both sides lit, and an ellipse, occluders", 0, make_disk,
+     &disks},
+    {"disk-open", "Disk upright on the ground, both sides lit, and an ellipse, no occluders", 1,
+     make_disk, &disks},
+    {"fog", "Disk in fog, occluders", 0, make_fog, &disks},
+    {"fog-open", "Disk in fog, no occluders", 1, make_fog, &disks},
+    {"ellipsoids", "Two ellipsoids, one cutting the ground, and an ellipse, occluders", 0,
+     make_ellipsoids, &ellipsoids},
+    {"ellipsoids-open", "Two ellipsoids, one cutting the ground, and an ellipse, no occluders", 1,
+     make_ellipsoids, &ellipsoids},
+    {"windows", "Rectangle, polygon, and a triangle cutting the floor, occluders", 0, make_windows,
+     &polygons},
+    {"windows-open", "Rectangle, polygon, and a triangle cutting the floor, no occluders", 1,
+     make_windows, &polygons},
 };
 
 void scene_make(scene *s, int number)

@@ -8,8 +8,6 @@
 #include <string.h>
 #include <time.h>
 
-#define PI 3.14159265358979323846
-
 void check_result(psc_result result, const char *what)
 {
     if (result >= 0)
@@ -91,13 +89,14 @@ typedef struct tile {
     psc_result status[TILE];
 } tile;
 
-static void sample_tile(const psc_technique *technique, const hit *hits, size_t count,
+static void sample_tile(const psc_technique *technique, int fog, const hit *hits, size_t count,
                         const emitter *l, tile *t)
 {
     const psc_receivers_f32 receivers = {
         .struct_size = sizeof receivers,
         .position = {{&hits->position.x, &hits->position.y, &hits->position.z}, sizeof *hits},
-        .normal = {{&hits->normal.x, &hits->normal.y, &hits->normal.z}, sizeof *hits}};
+        .normal = {{fog ? NULL : &hits->normal.x, &hits->normal.y, &hits->normal.z},
+                   sizeof *hits}};
     const psc_input_f32 uv = {{t->u, t->v}, sizeof(float)};
     const psc_samples_f32 out = {.struct_size = sizeof out,
                                  .direction = {{t->x, t->y, t->z}, sizeof(float)},
@@ -108,7 +107,7 @@ static void sample_tile(const psc_technique *technique, const hit *hits, size_t 
     check_result(light_sample_n(l, technique, count, &receivers, &uv, &out), "sampling a tile");
 }
 
-static void sample_singly(const psc_technique *technique, const hit *hits, size_t count,
+static void sample_singly(const psc_technique *technique, int fog, const hit *hits, size_t count,
                           const emitter *l, tile *t)
 {
     psc_sampler_storage storage;
@@ -118,7 +117,7 @@ static void sample_singly(const psc_technique *technique, const hit *hits, size_
     for (size_t i = 0; i < count; ++i) {
         const vec3 p = hits[i].position, n = hits[i].normal;
         const double position[3] = {p.x, p.y, p.z}, normal[3] = {n.x, n.y, n.z};
-        const psc_receiver receiver = {sizeof receiver, 0, position, normal};
+        const psc_receiver receiver = {sizeof receiver, 0, position, fog ? NULL : normal};
         psc_light_sample_f32 sample;
 
         t->status[i] = light_build(l, sampler, technique, &receiver);
@@ -158,13 +157,15 @@ static void shade_tile(const job *j, size_t begin, size_t count)
                 t.u[m] = uv[0];
                 t.v[m] = uv[1];
             }
-            (how->singly ? sample_singly : sample_tile)(&how->technique, hits, count, l, &t);
+            (how->singly ? sample_singly : sample_tile)(&how->technique, s->fog > 0, hits, count,
+                                                       l, &t);
             for (size_t m = 0; m < count; ++m) {
                 const vec3 direction = {t.x[m], t.y[m], t.z[m]};
                 if (t.status[m] != PSC_SUCCESS)
                     check_result(t.status[m], "sampling a light");
                 else if (!scene_blocked(s, &hits[m], direction, t.distance[m]))
-                    sum[m] += t.weight[m];
+                    sum[m] += s->fog > 0 ? t.weight[m] * expf(-s->fog * t.distance[m])
+                                         : t.weight[m];
             }
         }
         for (size_t m = 0; m < count; ++m) {
@@ -179,17 +180,17 @@ static void shade_tile(const job *j, size_t begin, size_t count)
 static void shade_tile_exactly(const job *j, size_t begin, size_t count)
 {
     const scene *s = j->frame->scene;
+    const int fog = s->fog > 0;
     for (size_t m = begin; m < begin + count; ++m) {
         const vec3 p = j->frame->hits[m].position, n = j->frame->hits[m].normal;
         const double position[3] = {p.x, p.y, p.z}, normal[3] = {n.x, n.y, n.z};
-        const psc_receiver receiver = {sizeof receiver, 0, position, normal};
+        const psc_receiver receiver = {sizeof receiver, 0, position, fog ? NULL : normal};
         for (size_t k = 0; k < s->light_count; ++k) {
             const emitter *l = &s->lights[k];
-            double factor;
-            check_result(light_form_factor(l, &receiver, &factor), "form factor");
-            j->light[m][0] += PI * factor * l->radiance.x;
-            j->light[m][1] += PI * factor * l->radiance.y;
-            j->light[m][2] += PI * factor * l->radiance.z;
+            const double light = light_exact(l, &receiver, s->fog);
+            j->light[m][0] += light * l->radiance.x;
+            j->light[m][1] += light * l->radiance.y;
+            j->light[m][2] += light * l->radiance.z;
         }
     }
 }
@@ -222,6 +223,7 @@ void frame_make(frame *f, const scene *s, unsigned width, unsigned threads)
 {
     static const float place[LAYERS][2] = {
         {0.375f, 0.125f}, {0.625f, 0.875f}, {0.875f, 0.375f}, {0.125f, 0.625f}};
+    static const float along[LAYERS] = {0.625f, 0.125f, 0.375f, 0.875f}; /* a ray through fog */
     const unsigned height = (unsigned)lroundf((float)width / s->aspect);
     const size_t pixels = (size_t)width * height;
 
@@ -235,10 +237,10 @@ void frame_make(frame *f, const scene *s, unsigned width, unsigned threads)
             hit *h = &f->hits[f->first[k + 1]];
             const float x = ((float)(p % width) + place[k][0]) / (float)width;
             const float y = ((float)(p / width) + place[k][1]) / (float)height;
-            const int surface = scene_look(s, 2 * x - 1, 1 - 2 * y, h);
             h->pixel = p;
-            f->index[k][p] = surface ? (int32_t)f->first[k + 1]++ : -1;
-            f->backdrop[k][p] = surface ? mul(h->albedo, s->fill) : h->albedo;
+            f->index[k][p] = scene_look(s, 2 * x - 1, 1 - 2 * y, along[k], h, &f->backdrop[k][p])
+                                 ? (int32_t)f->first[k + 1]++
+                                 : -1;
         }
     }
 }

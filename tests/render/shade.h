@@ -46,7 +46,7 @@ unsigned frame_share(unsigned layer, unsigned count);
    Returns the processor time of sampling and shadow rays in seconds, summed over the threads. */
 double shade(const frame *f, const sampling *how, irradiance light);
 
-/* Sets light to the exact irradiance where nothing occludes, from form factors. */
+/* Sets light to the exact irradiance where nothing occludes. */
 void shade_exactly(const frame *f, irradiance light);
 
 /* Ends the program with words unless the result is a success or a status. */
