@@ -51,7 +51,8 @@ static void fail(evaluation *e, const char *words)
 static sampling sample_with(const evaluation *e, unsigned technique, unsigned count)
 {
     const technique_row *row = &e->techniques[technique];
-    return (sampling){.technique = {sizeof(psc_technique), row->measure, row->map, 0},
+    return (sampling){.technique = {.struct_size = sizeof(psc_technique), .measure = row->measure,
+                                    .map = row->map},
                       .set = e->options->set,
                       .seed = e->options->seed,
                       .count = count};
