@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Distant lights: a cap of directions, the same from everywhere. */
 #include "angles.h"
+#include "build.h"
 #include "cap_build.h"
 #include "cap_light.h"
 
@@ -28,9 +29,7 @@ const struct psc_shape_row psc_shape_cap = {
 psc_result psc_build_cap(psc_sampler *sampler, const psc_technique *technique,
                          const psc_receiver *receiver, const double axis[3], double half_angle)
 {
-    const double *const parts[] = {axis, &half_angle};
-
-    return psc_build(sampler, &psc_shape_cap, geometry, technique, receiver, parts);
+    return psc_build_vector_scalar(sampler, &psc_shape_cap, technique, receiver, axis, half_angle);
 }
 
 psc_result psc_cap_sample_n_f64(const psc_technique *technique, size_t count,
@@ -118,6 +117,7 @@ psc_result psc_build_cap_angles(psc_sampler *sampler, const psc_technique *techn
     sine_cosine(ABS(half_angle - below), &sine_d, &cosine_d, &versine);
     cap->q2 = COPYSIGN(sine_d, half_angle - below) *
               (cap->sin_a * cap->cos_b + cap->cos_a * sine_b);
+    copy_cap(cap, &o.cap);
     o.axis[0] = cap->cos_b;
     o.axis[2] = cap->sin_b;
     result = cap_sides(sampler, &o);

@@ -26,11 +26,11 @@ enum psc_region { PSC_REGION_EMPTY, PSC_REGION_ELLIPSE, PSC_REGION_BOTH, PSC_REG
 PSC_LANE enum psc_region psc_cap_region(const struct psc_cap *cap)
 {
     const double a_x = -cap->sin_a * cap->sin_b;
-    const double flat = PSC_FLAT_LUNE * cap->q2 / (cap->cos_a + cap->cos_b);
+    const int flat = a_x * (cap->cos_a + cap->cos_b) < PSC_FLAT_LUNE * cap->q2;
 
     return cap->q2 <= 0.0      ? (cap->sin_b > 0.0 ? PSC_REGION_ELLIPSE : PSC_REGION_EMPTY)
            : cap->sin_b >= 0.0 ? PSC_REGION_BOTH
-           : a_x < flat        ? PSC_REGION_BOTH
+           : flat              ? PSC_REGION_BOTH
                                : PSC_REGION_LUNE;
 }
 

@@ -9,20 +9,27 @@
 #include "projected_build.h"
 #include "sampler.h"
 
-/* The lobe of the part above the horizon up to its total; returns its region. q = sqrt(q2). */
-static inline enum psc_region lobe_total(struct psc_lobe_f64 *l, const struct psc_cap *cap,
-                                         double *q)
+/* The lobe of the part of a region up to its total; q = sqrt(q2). */
+static inline void lobe_total(struct psc_lobe_f64 *l, enum psc_region region,
+                              const struct psc_cap *cap, double h0, double *q)
 {
-    const enum psc_region region = psc_cap_region(cap);
-
     *q = 0.0;
     switch (region) {
     case PSC_REGION_EMPTY: l->total = 0.0; break;
-    case PSC_REGION_ELLIPSE: ellipse_build(l, cap); break;
-    case PSC_REGION_BOTH: *q = both_build(l, cap); break;
-    case PSC_REGION_LUNE: *q = lune_build(l, cap); break;
+    case PSC_REGION_ELLIPSE: ellipse_build(l, cap, h0); break;
+    case PSC_REGION_BOTH: *q = both_build(l, cap, h0); break;
+    case PSC_REGION_LUNE: *q = lune_build(l, cap, h0); break;
     }
-    return region;
+}
+
+/* By elements, see copy3(). */
+static inline void copy_cap(const struct psc_cap *from, struct psc_cap *to)
+{
+    to->sin_a = from->sin_a;
+    to->cos_a = from->cos_a;
+    to->sin_b = from->sin_b;
+    to->cos_b = from->cos_b;
+    to->q2 = from->q2;
 }
 
 static inline struct psc_cap mirrored(const struct psc_cap *cap)
@@ -33,26 +40,21 @@ static inline struct psc_cap mirrored(const struct psc_cap *cap)
     return below;
 }
 
-static inline void copy3(const double from[3], double to[3])
+/* Where a cap lies to the horizon, given the region above the receiver's plane. */
+static inline psc_case cap_case(const struct psc_cap *cap, enum psc_region region,
+                                enum psc_facing facing)
 {
-    memcpy(to, from, 3 * sizeof(double));
-}
-
-/* Where the cap lies to the horizon. */
-static inline psc_case cap_case(const struct psc_cap *cap, enum psc_facing facing)
-{
-    struct psc_cap c = *cap;
+    static const psc_case cases[] = {PSC_CASE_EMPTY, PSC_CASE_ELLIPSE,
+                                     PSC_CASE_ELLIPSE_AND_LUNE, PSC_CASE_LUNE};
 
     if (facing == PSC_FACING_NONE)
         return PSC_CASE_NO_HORIZON;
-    if (facing == PSC_FACING_BOTH)
-        c.sin_b = ABS(c.sin_b);
-    switch (psc_cap_region(&c)) {
-    case PSC_REGION_ELLIPSE: return PSC_CASE_ELLIPSE;
-    case PSC_REGION_BOTH: return PSC_CASE_ELLIPSE_AND_LUNE;
-    case PSC_REGION_LUNE: return PSC_CASE_LUNE;
-    default: return PSC_CASE_EMPTY;
+    if (facing == PSC_FACING_BOTH && cap->sin_b < 0.0) {
+        const struct psc_cap below = mirrored(cap);
+
+        return cases[psc_cap_region(&below)];
     }
+    return cases[region];
 }
 
 /* The frame of the cone and area maps: x is down towards the horizon, z the axis. */
@@ -88,17 +90,26 @@ static inline enum psc_cap_map projected_map(psc_map map, enum psc_region region
     return maps[map][region];
 }
 
-/* The lobe and frame above (sign 1) or below (-1) the receiver's plane, of a cap around the axis
-   or, for the other half of all directions, against it (axis_sign); its total. */
-static inline double projected_side(struct psc_side *side, psc_map map,
-                                    const struct psc_cap *cap, const struct psc_cap_view *o,
-                                    double sign, double axis_sign)
+/* The frame of the maps by projected solid angle above (sign 1) or below (-1) the receiver's plane,
+   of a cap around the axis or, for the other half of all directions, against it (axis_sign). */
+static inline void projected_frame(struct psc_side *side, const struct psc_cap_view *o,
+                                   double sign, double axis_sign)
+{
+    copy3(o->sideways, side->y);
+    cross_rounded(o->sideways, o->normal, side->x);
+    scale3(sign, o->normal, side->z);
+    scale3(axis_sign, o->axis, side->axis);
+}
+
+/* The lobe and frame of one side; its total. */
+static double projected_side(struct psc_side *side, psc_map map, enum psc_region region,
+                             const struct psc_cap *cap, double h0, const struct psc_cap_view *o,
+                             double sign, double axis_sign)
 {
     struct psc_lobe_f64 *l = &side->lobe;
     double q;
-    const enum psc_region region = lobe_total(l, cap, &q);
-    int i;
 
+    lobe_total(l, region, cap, h0, &q);
     if (region == PSC_REGION_EMPTY)
         return 0.0;
     side->map = projected_map(map, region);
@@ -110,42 +121,59 @@ static inline double projected_side(struct psc_side *side, psc_map map,
         else
             radial_lune_build(l, q);
     }
-    copy3(o->sideways, side->y);
-    cross_rounded(o->sideways, o->normal, side->x);
-    for (i = 0; i < 3; i++) {
-        side->z[i] = sign * o->normal[i];
-        side->axis[i] = axis_sign * o->axis[i];
-    }
+    projected_frame(side, o, sign, axis_sign);
     return l->total;
 }
 
-/* Sets up the sides for (projected) solid angle; s->cap.seen is filled. */
-static inline psc_result cap_sides(psc_sampler *s, const struct psc_cap_view *o)
+/* Sets up the sides for projected solid angle of a cap that the horizon cuts, or that is below it,
+   or that is all directions. */
+static psc_result projected_sides(psc_sampler *s, enum psc_region region,
+                                  const struct psc_cap_view *o)
 {
-    s->visibility = s->cap.inside ? PSC_CASE_INSIDE : cap_case(&s->cap.seen, s->facing);
-    if (s->visibility == PSC_CASE_EMPTY)
-        return PSC_EMPTY;
-    if (s->projected) {
-        const double above = projected_side(s->cap.side, s->map, &s->cap.seen, o, 1.0, 1.0);
-        double second = 0.0;
+    const double h0 = s->cap.inside ? 1.0 : o->h0; /* of half of all directions */
+    const double above = projected_side(s->cap.side, s->map, region, &o->cap, h0, o, 1.0, 1.0);
 
-        s->sides = above > 0.0;
-        if (s->facing == PSC_FACING_BOTH) {
-            const struct psc_cap below = s->cap.inside ? s->cap.seen : mirrored(&s->cap.seen);
+    s->total = above;
+    s->sides = above > 0.0;
+    if (s->facing == PSC_FACING_BOTH) {
+        const struct psc_cap below = s->cap.inside ? o->cap : mirrored(&o->cap);
+        const double second =
+            projected_side(s->cap.side + s->sides, s->map, psc_cap_region(&below), &below, h0, o,
+                           -1.0, s->cap.inside ? -1.0 : 1.0);
 
-            second = projected_side(s->cap.side + s->sides, s->map, &below, o, -1.0,
-                                    s->cap.inside ? -1.0 : 1.0);
-            s->sides += second > 0.0;
-        }
+        s->sides += second > 0.0;
         s->total = above + second;
         s->split = above / s->total;
-        return s->sides > 0 ? PSC_SUCCESS : PSC_EMPTY;
     }
-    cone_side(s->cap.side, &s->cap.seen, o);
-    s->cap.side[0].lobe.h0 = o->h0;
-    s->cap.side[0].map = cone_map(s->map);
+    return s->sides > 0 ? PSC_SUCCESS : PSC_EMPTY;
+}
+
+/* Sets up the sides for (projected) solid angle. */
+static inline psc_result cap_sides(psc_sampler *s, const struct psc_cap_view *o)
+{
+    const enum psc_region region = psc_cap_region(&o->cap);
+    struct psc_side *side = s->cap.side;
+
+    s->visibility = s->cap.inside ? PSC_CASE_INSIDE : cap_case(&o->cap, region, s->facing);
+    if (s->visibility == PSC_CASE_EMPTY)
+        return PSC_EMPTY;
+    if (!s->projected) {
+        cone_side(side, &o->cap, o);
+        side->lobe.h0 = o->h0;
+        side->map = cone_map(s->map);
+        s->total = 2.0 * PSC_PI * o->h0;
+    } else if (region == PSC_REGION_ELLIPSE && !s->cap.inside) {
+        side->map = projected_map(s->map, region);
+        ellipse_build(&side->lobe, &o->cap, o->h0);
+        projected_frame(side, o, 1.0, 1.0);
+        s->total = side->lobe.total;
+    } else {
+        /* A copy of its own leaves the view of all others in registers. */
+        const struct psc_cap_view own = *o;
+
+        return projected_sides(s, region, &own);
+    }
     s->sides = 1;
-    s->total = 2.0 * PSC_PI * o->h0;
     return PSC_SUCCESS;
 }
 
@@ -155,7 +183,9 @@ static inline psc_result area_side(psc_sampler *s, const struct psc_cap_view *o)
     struct psc_lobe_f64 *l = &s->cap.side[0].lobe;
     const int visible = s->measure == PSC_MEASURE_VISIBLE_AREA && !s->cap.inside;
 
-    s->visibility = s->cap.inside ? PSC_CASE_INSIDE : cap_case(&o->cap, s->facing);
+    s->visibility = s->cap.inside
+                        ? PSC_CASE_INSIDE
+                        : cap_case(&o->cap, psc_cap_region(&o->cap), s->facing);
     if (s->visibility == PSC_CASE_EMPTY || o->power == 0.0)
         return PSC_EMPTY;
     cone_side(s->cap.side, &o->cap, o);
@@ -180,7 +210,7 @@ static inline void cap_clear(struct psc_cap_light *light)
 {
     static const struct psc_cap none = {0.0, 0.0, 0.0, 0.0, 0.0};
 
-    light->seen = none;
+    copy_cap(&none, &light->seen);
     light->inside = 0;
     light->radius = 0.0;
 }
@@ -191,25 +221,25 @@ static inline psc_result sphere_build(psc_sampler *s, const struct psc_request *
 {
     const double radius = geometry[3];
     struct psc_cap_view o;
-    int i;
 
     cap_clear(&s->cap);
     if (radius < 0.0)
         return PSC_ERROR_NEGATIVE_SIZE;
     s->cap.radius = radius;
-    for (i = 0; i < 3; i++)
-        s->cap.center[i] = geometry[i];
+    copy3(geometry, s->cap.center);
     if (radius == 0.0)
         return PSC_EMPTY;
     see_sphere(request->position, request->normal, geometry, radius, &o);
     if (!is_finite(o.distance))
         return PSC_ERROR_NOT_FINITE;
-    s->cap.distance = o.distance / o.scale;
+    s->cap.distance = o.distance * o.unit;
     if (o.power < 0.0 && request->one_sided)
         return PSC_EMPTY;
     s->cap.inside = o.power < 0.0;
-    s->cap.seen = o.cap;
+    copy_cap(&o.cap, &s->cap.seen);
     if (s->cap.inside) {
+        int i;
+
         s->cap.slack = -o.power / (o.radius * o.radius);
         for (i = 0; i < 3; i++)
             s->cap.offset[i] = (geometry[i] - request->position[i]) * o.scale / o.radius;
@@ -221,7 +251,8 @@ static inline psc_result sphere_build(psc_sampler *s, const struct psc_request *
         static const double up[3] = {0.0, 0.0, 1.0};
         static const struct psc_cap all = {1.0, 0.0, 1.0, 0.0, 0.0};
 
-        s->cap.seen = all;
+        copy_cap(&all, &o.cap);
+        copy_cap(&all, &s->cap.seen);
         copy3(request->normal ? o.normal : up, o.normal);
         copy3(o.normal, o.axis);
         perpendicular(o.axis, o.sideways);
@@ -247,7 +278,7 @@ static inline psc_result distant_build(psc_sampler *s, const struct psc_request 
     if (half_angle == 0.0)
         return PSC_EMPTY;
     see_cap(request->normal, geometry, half_angle, &o);
-    s->cap.seen = o.cap;
+    copy_cap(&o.cap, &s->cap.seen);
     return cap_sides(s, &o);
 }
 

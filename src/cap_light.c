@@ -12,10 +12,10 @@ double psc_cap_projected(const struct psc_cap *cap, int both)
     struct psc_lobe_f64 l;
     double q, total;
 
-    lobe_total(&l, cap, &q);
+    lobe_total(&l, psc_cap_region(cap), cap, psc_cap_versine(cap), &q);
     total = l.total;
     if (both) {
-        lobe_total(&l, &below, &q);
+        lobe_total(&l, psc_cap_region(&below), &below, psc_cap_versine(&below), &q);
         total += l.total;
     }
     return total;

@@ -14,33 +14,52 @@ struct psc_cap_view {
     struct psc_cap cap; /* sin_b = 1, cos_b = q2 = 0 without a normal */
     double h0;          /* 1 - cos alpha, also beyond a right angle */
     double axis[3], sideways[3], normal[3]; /* unit vectors; sideways is normal x axis */
-    /* Of a sphere, in units of 1 / scale, a power of two: */
-    double scale, radius, distance;
+    /* Of a sphere, in units of the power of two `unit`, which is 1 / scale: */
+    double scale, unit, radius, distance;
     double power; /* distance^2 - radius^2, exact to rounding: 0 on the surface */
 };
 
-/*
- * The frame and the elevation, from a normal of any length near 1 and the vector to the light as
- * the sum vector + low. inverse = 1 / its length, square its square. Returns the height of its
- * end above the receiver's plane, in two words where it is below `close` or cancels.
- *
- * Products are exact where plain ones would cancel: a light near the horizon, or straight above.
- */
-PSC_LANE void see_elevation(const double n[3], const double vector[3], const double low[3],
-                            double inverse, double square, double close,
-                            struct psc_cap_view *o, double *height, double *height_low)
+/* What scale (to - from) loses when it is rounded. */
+PSC_LANE void rounded_off(const double from[3], const double to[3], double scale, double low[3])
 {
-    double n2 = dot(n, n), up = dot(n, vector), length, shrink, reach2, reach, widen;
-    double across[3], other[3];
-    int i, overhead;
+    double sum;
+    int i;
 
+    for (i = 0; i < 3; i++) {
+        two_sum(to[i], -from[i], &sum, &low[i]);
+        low[i] *= scale;
+    }
+}
+
+/*
+ * The frame and the elevation, from a normal and the vector to the light: scale (to - from),
+ * rounded. inverse = 1 / its length, square its square. Returns the height of its end above the
+ * receiver's plane; where that is within `close` of 0 or of the lengths -radius and radius, plain
+ * products would cancel, and all are exact. Then the height has two words. So are the products of
+ * the frame when the light is nearly straight above or below.
+ */
+PSC_LANE void see_elevation(const double normal[3], const double from[3], const double to[3],
+                            double scale, const double vector[3], double inverse, double square,
+                            double radius, double close, struct psc_cap_view *o, double *height,
+                            double *height_low)
+{
+    double n[3] = {normal[0], normal[1], normal[2]}, n2 = dot(n, n);
+    double length, shrink, reach2, reach, widen, across[3];
+    int i, overhead = 0;
+
+    if (!is_fair(n2)) {
+        scale_to_one(normal, n);
+        n2 = dot(n, n);
+    }
     length = SQRT(n2);
     shrink = 1.0 / length;
-    *height = (up + dot(n, low)) * shrink;
+    *height = dot(n, vector) * shrink;
     *height_low = 0.0;
-    if (4.0 * up * up < n2 * square || ABS(*height) < close) {
+    if (ABS(ABS(*height) - radius) < close || ABS(*height) < close) {
         double sum = 0.0, sum_low = 0.0, exact = 0.0, exact_low = 0.0, p, e, length_low;
+        double low[3];
 
+        rounded_off(from, to, scale, low);
         for (i = 0; i < 3; i++) {
             add_product(n[i], vector[i], &sum, &sum_low);
             add_product(n[i], n[i], &exact, &exact_low);
@@ -56,25 +75,24 @@ PSC_LANE void see_elevation(const double n[3], const double vector[3], const dou
 
     cross_rounded(n, vector, across);
     reach2 = dot(across, across);
-    if (16.0 * reach2 < n2 * square) {
-        double along[3];
+    if (16.0 * reach2 <= n2 * square) { /* 0 where there is no distance */
+        double low[3], along[3], other[3];
 
+        rounded_off(from, to, scale, low);
         cross(n, vector, across);
         cross_rounded(n, low, along);
         for (i = 0; i < 3; i++)
             across[i] += along[i];
+        overhead = !(dot(across, across) > 0.0);
+        any_across(n, other);
+        for (i = 0; i < 3; i++)
+            across[i] = overhead ? other[i] : across[i];
         reach2 = dot(across, across);
     }
-    overhead = !(reach2 > 0.0);
-    any_across(n, other);
-    for (i = 0; i < 3; i++)
-        across[i] = overhead ? other[i] : across[i];
-    reach = SQRT(dot(across, across));
+    reach = SQRT(reach2);
     widen = 1.0 / reach;
-    for (i = 0; i < 3; i++) {
-        o->normal[i] = n[i] * shrink;
-        o->sideways[i] = across[i] * widen;
-    }
+    scale3(shrink, n, o->normal);
+    scale3(widen, across, o->sideways);
     o->cap.sin_b = *height * inverse;
     o->cap.cos_b = overhead ? 0.0 : reach * shrink * inverse;
 }
@@ -82,40 +100,49 @@ PSC_LANE void see_elevation(const double n[3], const double vector[3], const dou
 /* Without a normal: any frame around the axis. */
 PSC_LANE void see_around(struct psc_cap_view *o)
 {
-    int i;
-
     perpendicular(o->axis, o->sideways);
-    for (i = 0; i < 3; i++)
-        o->normal[i] = o->axis[i];
+    copy3(o->axis, o->normal);
     o->cap.sin_b = 1.0;
     o->cap.cos_b = 0.0;
     o->cap.q2 = 0.0;
 }
 
+/* Where the plain products of a sphere's view come within this share of its distance of
+   cancelling, they are exact. */
+#define PSC_CLOSE 0.25
+
 /* A sphere of positive radius; normal is NULL or not zero. Unit lengths overflow to NaN. */
 PSC_LANE void see_sphere(const double position[3], const double *normal, const double center[3],
                          double radius, struct psc_cap_view *o)
 {
-    double offset[3], low[3], n[3], size, square, inverse;
+    double offset[3], square, square_r, inverse;
     int i, at_center;
 
-    for (i = 0; i < 3; i++)
-        two_sum(center[i], -position[i], &offset[i], &low[i]);
-    size = largest(offset);
-    o->scale = unit_scale(MAX(size, radius));
-    for (i = 0; i < 3; i++) {
-        offset[i] *= o->scale;
-        low[i] *= o->scale;
-    }
-    o->radius = radius * o->scale;
-
+    offset[0] = center[0] - position[0];
+    offset[1] = center[1] - position[1];
+    offset[2] = center[2] - position[2];
+    o->scale = o->unit = 1.0;
+    o->radius = radius;
     square = dot(offset, offset);
-    o->distance = SQRT(square);
-    o->power = square - o->radius * o->radius;
-    if (4.0 * o->radius * o->radius > square) {
-        /* Close to the surface, and from inside: every product with its rounding. */
-        double high = 0.0, error = 0.0;
+    square_r = radius * radius;
+    if (!is_fair(MAX(square, square_r))) {
+        const double size = largest(offset);
 
+        o->scale = unit_scale(MAX(size, radius));
+        o->unit = unit_inverse(o->scale);
+        scale3(o->scale, offset, offset);
+        o->radius = radius * o->scale;
+        square = dot(offset, offset);
+        square_r = o->radius * o->radius;
+    }
+
+    o->distance = SQRT(square);
+    o->power = square - square_r;
+    if (o->power < PSC_CLOSE * square) {
+        /* Close to the surface, and from inside: every product with its rounding. */
+        double high = 0.0, error = 0.0, low[3];
+
+        rounded_off(position, center, o->scale, low);
         for (i = 0; i < 3; i++)
             add_product(offset[i], offset[i], &high, &error);
         add_product(o->radius, -o->radius, &high, &error);
@@ -127,14 +154,13 @@ PSC_LANE void see_sphere(const double position[3], const double *normal, const d
     o->cap.sin_a = MIN(o->radius * inverse, 1.0);
     o->cap.cos_a = SQRT(MAX(o->power, 0.0)) * inverse;
     o->h0 = o->power < 0.0 ? 2.0 : psc_cap_versine(&o->cap);
-    for (i = 0; i < 3; i++)
-        o->axis[i] = offset[i] * inverse;
+    scale3(inverse, offset, o->axis);
 
     if (normal) {
         double height, height_low, sign, upright;
 
-        scale_to_one(normal, n);
-        see_elevation(n, offset, low, inverse, square, 2.0 * o->radius, o, &height, &height_low);
+        see_elevation(normal, position, center, o->scale, offset, inverse, square, o->radius,
+                      PSC_CLOSE * o->distance, o, &height, &height_low);
         /* How far the horizon is inside the sphere decides what is left of a thin lune. */
         sign = COPYSIGN(1.0, height);
         o->cap.q2 = ((o->radius - sign * height) - sign * height_low) *
@@ -142,9 +168,10 @@ PSC_LANE void see_sphere(const double position[3], const double *normal, const d
         /* Straight above or below, where that is below the two words: cos^2 beta - cos^2 alpha. */
         upright = (o->cap.cos_b - o->cap.cos_a) * (o->cap.cos_b + o->cap.cos_a);
         o->cap.q2 = o->cap.cos_b < 1e-8 ? upright : o->cap.q2;
-        for (i = 0; i < 3; i++)
-            o->axis[i] = at_center ? o->normal[i] : o->axis[i];
-        o->cap.sin_b = at_center ? 1.0 : o->cap.sin_b;
+        if (at_center) {
+            copy3(o->normal, o->axis);
+            o->cap.sin_b = 1.0;
+        }
     } else {
         o->axis[2] = at_center ? 1.0 : o->axis[2];
         see_around(o);
@@ -176,24 +203,23 @@ PSC_LANE void sine_cosine(double a, double *sine, double *cosine, double *versin
 PSC_LANE void see_cap(const double *normal, const double axis[3], double half_angle,
                       struct psc_cap_view *o)
 {
-    static const double exact[3] = {0.0, 0.0, 0.0};
-    double a[3], n[3], square, inverse;
-    int i;
+    static const double origin[3] = {0.0, 0.0, 0.0};
+    double a[3], square, length, inverse;
 
     scale_to_one(axis, a);
     square = dot(a, a);
-    inverse = 1.0 / SQRT(square);
-    for (i = 0; i < 3; i++)
-        o->axis[i] = a[i] * inverse;
+    length = SQRT(square);
+    inverse = 1.0 / length;
+    scale3(inverse, a, o->axis);
     sine_cosine(half_angle, &o->cap.sin_a, &o->cap.cos_a, &o->h0);
-    o->scale = 1.0;
+    o->scale = o->unit = 1.0;
     o->radius = 0.0;
     o->distance = o->power = 1.0;
     if (normal) {
         double height, low, sb;
 
-        scale_to_one(normal, n);
-        see_elevation(n, a, exact, inverse, square, 0.0, o, &height, &low);
+        see_elevation(normal, origin, a, 1.0, a, inverse, square, o->cap.sin_a * length,
+                      PSC_CLOSE * length, o, &height, &low);
         sb = ABS(o->cap.sin_b);
         /* sin^2 alpha - sin^2 beta, from whichever pair is smaller. */
         o->cap.q2 = sb <= o->cap.cos_b

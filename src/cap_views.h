@@ -29,7 +29,7 @@ PSC_LANE int32_t kind_of(const struct psc_wave *wave, const struct psc_cap *cap,
     const int projected = wave->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE;
     const double sb = both ? ABS(cap->sin_b) : cap->sin_b;
     /* psc_cap_region(), spelled out: gcc 12 does not vectorise the loop over the enumeration. */
-    const int flat = -cap->sin_a * sb < PSC_FLAT_LUNE * cap->q2 / (cap->cos_a + cap->cos_b);
+    const int flat = -cap->sin_a * sb * (cap->cos_a + cap->cos_b) < PSC_FLAT_LUNE * cap->q2;
     const int32_t kind = cap->q2 <= 0.0 ? (sb > 0.0 ? KIND_ELLIPSE : KIND_EMPTY)
                          : both         ? KIND_PENDING
                          : sb >= 0.0    ? KIND_BOTH
@@ -58,7 +58,7 @@ PSC_LANE void store_view(struct views *to, size_t i, const struct psc_cap_view *
         to->sideways[c][i] = o->sideways[c];
         to->normal[c][i] = o->normal[c];
     }
-    to->distance[i] = o->distance / o->scale;
+    to->distance[i] = o->distance * o->unit;
 }
 
 /* One loop for each way of seeing: with a normal or without. */
@@ -119,33 +119,28 @@ PSC_LANE void build_cone(struct psc_lobe_f64 *l, const struct psc_cap *cap, doub
 
 PSC_LANE void build_ellipse(struct psc_lobe_f64 *l, const struct psc_cap *cap, double h0)
 {
-    (void)h0;
-    ellipse_build(l, cap);
+    ellipse_build(l, cap, h0);
 }
 
 PSC_LANE void build_radial_both(struct psc_lobe_f64 *l, const struct psc_cap *cap, double h0)
 {
-    (void)h0;
-    both_build(l, cap);
+    both_build(l, cap, h0);
     radial_both_build(l);
 }
 
 PSC_LANE void build_chord_both(struct psc_lobe_f64 *l, const struct psc_cap *cap, double h0)
 {
-    (void)h0;
-    parallel_build(l, 0, both_build(l, cap));
+    parallel_build(l, 0, both_build(l, cap, h0));
 }
 
 PSC_LANE void build_radial_lune(struct psc_lobe_f64 *l, const struct psc_cap *cap, double h0)
 {
-    (void)h0;
-    radial_lune_build(l, lune_build(l, cap));
+    radial_lune_build(l, lune_build(l, cap, h0));
 }
 
 PSC_LANE void build_chord_lune(struct psc_lobe_f64 *l, const struct psc_cap *cap, double h0)
 {
-    (void)h0;
-    parallel_build(l, 1, lune_build(l, cap));
+    parallel_build(l, 1, lune_build(l, cap, h0));
 }
 
 #endif

@@ -153,7 +153,7 @@ static void FN(wave_densities)(const struct psc_wave *restrict wave, const struc
     if (projected) {
         for (i = 0; i < n; i++) {
             r->value[PSC_PDF][i] =
-                p->height[i] * (real)rise[i] * (real)(1.0 / total[i] / rise[i]);
+                p->height[i] * (real)rise[i] * (real)(1.0 / total[i] * unit_inverse(rise[i]));
             r->value[PSC_WEIGHT][i] = (real)total[i];
         }
         for (i = 0; i < n; i++)

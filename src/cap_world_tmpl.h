@@ -16,19 +16,22 @@ struct FN(psc_cap_world) {
     int projected, inside, distant;
 };
 
+PSC_LANE void FN(cap_vector)(const double from[3], real to[3])
+{
+    to[0] = (real)from[0];
+    to[1] = (real)from[1];
+    to[2] = (real)from[2];
+}
+
 PSC_LANE void FN(cap_world)(const psc_sampler *s, const struct psc_side *side,
                             struct FN(psc_cap_world) *w)
 {
-    int i;
-
-    for (i = 0; i < 3; i++) {
-        w->x[i] = (real)side->x[i];
-        w->y[i] = (real)side->y[i];
-        w->z[i] = (real)side->z[i];
-        w->axis[i] = (real)side->axis[i];
-        w->center[i] = (real)s->cap.center[i];
-        w->offset[i] = (real)s->cap.offset[i];
-    }
+    FN(cap_vector)(side->x, w->x);
+    FN(cap_vector)(side->y, w->y);
+    FN(cap_vector)(side->z, w->z);
+    FN(cap_vector)(side->axis, w->axis);
+    FN(cap_vector)(s->cap.center, w->center);
+    FN(cap_vector)(s->cap.offset, w->offset);
     w->sin_a = (real)side->lobe.sin_a;
     w->cos_a = (real)side->lobe.cos_a;
     w->h0 = (real)side->lobe.h0;
@@ -38,7 +41,7 @@ PSC_LANE void FN(cap_world)(const psc_sampler *s, const struct psc_side *side,
     w->slack = (real)s->cap.slack;
     w->total = (real)s->total;
     w->rise = (real)side->lobe.rise;
-    w->inverse_total = (real)(s->inverse_total / side->lobe.rise);
+    w->inverse_total = (real)(s->inverse_total * unit_inverse(side->lobe.rise));
     w->facing = s->facing;
     w->projected = s->projected;
     w->inside = s->cap.inside;
@@ -96,11 +99,12 @@ PSC_LANE void FN(cap_hit)(const struct FN(psc_cap_world) *w, real depth, real *r
     const real sum = w->cos_a + d + g;
     /* The rim seen from the surface itself: the receiver is the point, its normal the axis. */
     const int touching = sum < SMALLEST;
-    const real inverse = K(1.0) / (touching ? K(1.0) : sum);
+    const real whole = touching ? K(1.0) : sum, square = w->cos_a * w->cos_a;
+    const real inverse = K(1.0) / (whole * w->sin_a);
 
-    *ratio = w->cos_a * w->cos_a * inverse;
-    *scale = *ratio / w->sin_a;
-    *axial = -(touching ? K(1.0) : d + w->h0 * w->cos_a + g) * inverse / w->sin_a;
+    *ratio = square / whole;
+    *scale = square * inverse;
+    *axial = -(touching ? K(1.0) : d + w->h0 * w->cos_a + g) * inverse;
 }
 
 /* The far intersection, for a receiver inside: distance in radii. */
@@ -110,6 +114,19 @@ PSC_LANE real FN(inside_distance)(const struct FN(psc_cap_world) *w, real dx, re
     const real root = SQRT(w->slack + b * b);
 
     return b >= K(0.0) ? b + root : w->slack / (root - b);
+}
+
+/* The point of the sphere whose normal is scale (x, y, z) + axial times the axis, in the frame of
+   the side. */
+PSC_LANE void FN(cap_point)(const struct FN(psc_cap_world) *w, real scale, real x, real y, real z,
+                            real axial, real point[3], real normal[3])
+{
+    normal[0] = scale * ((x * w->x[0] + y * w->y[0]) + z * w->z[0]) + axial * w->axis[0];
+    normal[1] = scale * ((x * w->x[1] + y * w->y[1]) + z * w->z[1]) + axial * w->axis[1];
+    normal[2] = scale * ((x * w->x[2] + y * w->y[2]) + z * w->z[2]) + axial * w->axis[2];
+    point[0] = w->center[0] + w->radius * normal[0];
+    point[1] = w->center[1] + w->radius * normal[1];
+    point[2] = w->center[2] + w->radius * normal[2];
 }
 
 /* Fills everything of a result that the direction and the depth decide. */
@@ -138,10 +155,7 @@ PSC_LANE void FN(cap_surface)(const struct FN(psc_cap_world) *w, const real dire
 
         FN(cap_hit)(w, depth, &ratio, &scale, &axial);
         *distance = ratio * w->distance;
-        for (i = 0; i < 3; i++) {
-            normal[i] = scale * ((x * w->x[i] + y * w->y[i]) + z * w->z[i]) + axial * w->axis[i];
-            point[i] = w->center[i] + w->radius * normal[i];
-        }
+        FN(cap_point)(w, scale, x, y, z, axial, point, normal);
     }
 }
 
@@ -159,11 +173,6 @@ PSC_LANE psc_result FN(area_density)(const struct FN(psc_cap_world) *w, real hei
 PSC_LANE void FN(area_surface)(const struct FN(psc_cap_world) *w, real x, real y, real from_near,
                                real t, real point[3], real normal[3], real *distance)
 {
-    int i;
-
     *distance = w->radius * t;
-    for (i = 0; i < 3; i++) {
-        normal[i] = t * (x * w->x[i] + y * w->y[i]) - (K(1.0) - from_near) * w->axis[i];
-        point[i] = w->center[i] + w->radius * normal[i];
-    }
+    FN(cap_point)(w, t, x, y, K(0.0), from_near - K(1.0), point, normal);
 }

@@ -55,14 +55,17 @@ PSC_LANE void FN(sine_cosine_defects)(real x, real *sine_defect, real *cosine_de
 PSC_LANE void FN(turn)(real t, real *sine, real *cosine, real *versine)
 {
     const real u = ABS(K(2.0) * t - K(1.0));
-    const real r = K(2.0) * MIN(t, K(1.0) - t);
-    const real x = K(3.14159265358979323846) * MIN(u, r);
+    const real r = MIN(K(2.0) * t, K(2.0) - K(2.0) * t);
+    const real near = MIN(u, r);
+    const real x = K(3.14159265358979323846) * near;
+    /* A sign in place of a choice, which gcc would make a branch that no CPU can predict. */
+    const real way = COPYSIGN(K(1.0), r - u);
     real sine_defect, cosine_defect;
 
     FN(sine_cosine_defects)(x, &sine_defect, &cosine_defect);
     *sine = COPYSIGN(x - sine_defect, t - K(0.5));
-    *cosine = COPYSIGN(K(1.0) - cosine_defect, r - u);
-    *versine = r < u ? K(2.0) - cosine_defect : cosine_defect;
+    *cosine = COPYSIGN(K(1.0) - cosine_defect, way);
+    *versine = (K(1.0) - way) + way * cosine_defect;
 }
 
 /*

@@ -7,10 +7,9 @@
 #include "vector.h"
 
 /* What every map by projected solid angle needs: nothing in it cancels. */
-PSC_LANE void projected_base(struct psc_lobe_f64 *l, const struct psc_cap *cap)
+PSC_LANE void projected_base(struct psc_lobe_f64 *l, const struct psc_cap *cap, double h0)
 {
     const double cb_ca = cap->cos_a * cap->sin_b;
-    double lune;
 
     l->sin_a = cap->sin_a;
     l->cos_a = cap->cos_a;
@@ -18,33 +17,41 @@ PSC_LANE void projected_base(struct psc_lobe_f64 *l, const struct psc_cap *cap)
     l->cos_b = cap->cos_b;
     l->per_a = 1.0 / cap->sin_a;
     l->q2 = cap->q2;
-    l->h0 = psc_cap_versine(cap);
+    l->h0 = h0;
     l->x_e = cap->cos_a * cap->cos_b;
     l->ome2 = cap->sin_a * cap->sin_a + cb_ca * cb_ca;
     l->del = l->ome2 / (1.0 + l->x_e);
     l->zc = cap->cos_b * cap->sin_a;
-    lune = l->q2 / (l->zc - cb_ca + 1e-300);
-    l->high = cap->sin_b < 0.0 ? lune : l->zc + cb_ca;
-    l->rise = unit_scale(MAX(l->high, cap->sin_b));
+    l->high = l->zc + cb_ca;
 }
 
-PSC_LANE void ellipse_build(struct psc_lobe_f64 *l, const struct psc_cap *cap)
+/* The case that single calls meet most: no more than it needs. */
+PSC_LANE void ellipse_build(struct psc_lobe_f64 *l, const struct psc_cap *cap, double h0)
 {
-    projected_base(l, cap);
+    const double cb_ca = cap->cos_a * cap->sin_b, zc = cap->cos_b * cap->sin_a;
+
+    l->sin_a = cap->sin_a;
+    l->cos_a = cap->cos_a;
+    l->sin_b = cap->sin_b;
+    l->cos_b = cap->cos_b;
+    l->h0 = h0;
+    l->zc = zc;
     /* The guard serves the whole hemisphere, where the ends of 0/0 are all 0. */
-    l->low = -l->q2 / (l->sin_b * l->cos_a + l->zc + 1e-300);
-    l->total = PSC_PI * (l->sin_a * l->sin_a) * l->sin_b;
+    l->low = -cap->q2 / (cb_ca + zc + 1e-300);
+    l->rise = unit_scale(MAX(zc + cb_ca, cap->sin_b));
+    l->total = PSC_PI * (cap->sin_a * cap->sin_a) * cap->sin_b;
 }
 
 /* Ellipse and lune: the circle's sector up to psi_l, then the ellipse's. Sums of positive
    terms. A flat lune (see PSC_FLAT_LUNE) counts as beta = 0. Returns sqrt(q2). */
-PSC_LANE double both_build(struct psc_lobe_f64 *l, const struct psc_cap *cap)
+PSC_LANE double both_build(struct psc_lobe_f64 *l, const struct psc_cap *cap, double h0)
 {
     struct psc_cap c = *cap;
     double q, ellipse, theta_l, psi2, sector;
 
     c.sin_b = MAX(c.sin_b, 0.0);
-    projected_base(l, &c);
+    projected_base(l, &c, h0);
+    l->rise = unit_scale(MAX(l->high, c.sin_b));
     q = SQRT(l->q2);
     ellipse = l->sin_a * l->sin_a * l->sin_b;
     theta_l = twice_atan(q / (l->sin_a * l->cos_b + l->cos_a * l->sin_b));
@@ -60,12 +67,14 @@ PSC_LANE double both_build(struct psc_lobe_f64 *l, const struct psc_cap *cap)
 
 /* Lune: at its tip the chord and v are 0, which leaves of both maps' areas the same
    2/3 sin^3 psi_l (N(psi_l) (1 - |sin beta| / sin alpha) - ...). Returns sqrt(q2). */
-PSC_LANE double lune_build(struct psc_lobe_f64 *l, const struct psc_cap *cap)
+PSC_LANE double lune_build(struct psc_lobe_f64 *l, const struct psc_cap *cap, double h0)
 {
     const double q = SQRT(cap->q2), sine = q / cap->cos_b;
     struct chord tip;
 
-    projected_base(l, cap);
+    projected_base(l, cap, h0);
+    l->high = l->q2 / (l->zc - cap->cos_a * cap->sin_b);
+    l->rise = unit_scale(l->high);
     l->v0 = l->q2 / (l->cos_a + l->cos_b);
     l->psi_l = twice_atan(q / (l->cos_a + l->cos_b));
     l->k = -l->sin_a * l->sin_b;

@@ -2,8 +2,7 @@
 /* The life of a handle, the way into every build, and the questions it answers. */
 #include <stdlib.h>
 
-#include "sampler.h"
-#include "vector.h"
+#include "build.h"
 
 size_t psc_sampler_size(void)
 {
@@ -92,34 +91,7 @@ void psc_sampler_destroy(psc_sampler *sampler)
 psc_result psc_build_numbers(psc_sampler *sampler, const struct psc_shape_row *shape,
                              const struct psc_request *request, const double *geometry)
 {
-    const struct psc_variant *kernels = psc_dispatch();
-    psc_result result;
-    int i;
-
-    psc_clear(sampler);
-    for (i = 0; i < request->numbers; i++)
-        if (!is_finite(geometry[i]))
-            return PSC_ERROR_NOT_FINITE;
-    sampler->f32 = kernels->f32[shape->kernel];
-    sampler->f64 = kernels->f64[shape->kernel];
-    sampler->shape = shape;
-    sampler->measure = request->measure;
-    sampler->map = request->map;
-    sampler->facing = request->facing;
-    sampler->projected = request->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE;
-
-    result = sampler->f64->build(sampler, request, geometry);
-    if (result < 0)
-        psc_clear(sampler);
-    else if (result == PSC_SUCCESS && !(sampler->total > 0.0))
-        result = PSC_EMPTY; /* smaller than the smallest number */
-    if (result == PSC_EMPTY) {
-        sampler->sides = 0;
-        sampler->total = 0.0;
-        sampler->visibility = PSC_CASE_EMPTY;
-    }
-    sampler->inverse_total = result == PSC_SUCCESS ? 1.0 / sampler->total : 0.0;
-    return result;
+    return psc_fill(sampler, shape, request, geometry, request->numbers);
 }
 
 psc_result psc_build(psc_sampler *sampler, const struct psc_shape_row *shape, const char *kinds,
@@ -144,11 +116,10 @@ psc_result psc_build(psc_sampler *sampler, const struct psc_shape_row *shape, co
         for (k = 0; parts[i] && k < numbers; k++)
             geometry[n++] = parts[i][k];
     }
-    request.numbers = n;
     if (result == PSC_SUCCESS)
         result = psc_check_offer(shape, &request);
     if (result == PSC_SUCCESS)
-        return psc_build_numbers(sampler, shape, &request, geometry);
+        return psc_fill(sampler, shape, &request, geometry, n);
     psc_clear(sampler);
     return result;
 }

@@ -54,17 +54,13 @@ struct psc_request {
     const double *normal; /* finite and not zero, or NULL */
     int one_sided;        /* whether the light leaves its surface on one side only */
     const psc_table *table;
-    int numbers;          /* of the geometry */
+    int numbers;          /* of the geometry, where that is read from arrays */
 };
 
-/* The size that a description of any version gives itself: newer ones may be longer if what is
-   added is zero. */
-psc_result psc_check_struct(const void *from, size_t size);
+/* Of a description whose size is not the one that is known: newer ones may be longer if what is
+   added is zero. See checks.h. */
+psc_result psc_check_other_size(const void *from, size_t size);
 psc_result psc_check_allocator(const psc_allocator *allocator);
-psc_result psc_check_technique(const psc_technique *technique, struct psc_request *request);
-psc_result psc_check_receiver(const psc_receiver *receiver, struct psc_request *request);
-psc_result psc_check_point(uint32_t flags, const double *position, const double *normal,
-                           struct psc_request *request);
 /* For psc_samples_f32 and _f64: the size and the reserved field. */
 psc_result psc_check_samples(const void *samples, size_t size);
 
@@ -106,9 +102,6 @@ struct psc_shape_row {
 #define PSC_DECLARE(from, NAME, name) extern const struct psc_shape_row psc_shape_##name;
 PSC_SHAPES(PSC_DECLARE, )
 #undef PSC_DECLARE
-
-/* Whether the shape offers the technique to this receiver. */
-psc_result psc_check_offer(const struct psc_shape_row *shape, const struct psc_request *request);
 
 /* Leaves the sampler empty: safe to sample, pdf 0. */
 void psc_clear(psc_sampler *sampler);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Spheres: a cap of directions with sin alpha = radius / distance, and a surface to hit. */
+#include "build.h"
 #include "cap_light.h"
 #include "cap_view.h"
 
@@ -18,9 +19,7 @@ const struct psc_shape_row psc_shape_sphere = {
 psc_result psc_build_sphere(psc_sampler *sampler, const psc_technique *technique,
                             const psc_receiver *receiver, const double center[3], double radius)
 {
-    const double *const parts[] = {center, &radius};
-
-    return psc_build(sampler, &psc_shape_sphere, geometry, technique, receiver, parts);
+    return psc_build_vector_scalar(sampler, &psc_shape_sphere, technique, receiver, center, radius);
 }
 
 psc_result psc_sphere_sample_n_f64(const psc_technique *technique, size_t count,

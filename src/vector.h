@@ -29,6 +29,24 @@ PSC_LANE double unit_scale(double x)
     return scale;
 }
 
+/* 1 / scale for a power of two that unit_scale() gave. */
+PSC_LANE double unit_inverse(double scale)
+{
+    uint64_t bits;
+
+    memcpy(&bits, &scale, sizeof bits);
+    bits = ((uint64_t)2046 << 52) - bits;
+    memcpy(&scale, &bits, sizeof scale);
+    return scale;
+}
+
+/* Whether the square of a length leaves room for products of two such squares and for the
+   roundings of them: all lights and receivers but those in extreme units. */
+PSC_LANE int is_fair(double square)
+{
+    return square > 0x1p-400 && square < 0x1p400;
+}
+
 PSC_LANE double largest(const double v[3])
 {
     const double a = ABS(v[0]), b = ABS(v[1]), c = ABS(v[2]);
@@ -46,6 +64,23 @@ PSC_LANE int scale_to_one(const double v[3], double to[3])
     for (i = 0; i < 3; i++)
         to[i] = v[i] * scale;
     return size > 0.0;
+}
+
+/* By elements, not in a loop: gcc would make it a vector and a rest, and whoever reads single
+   elements soon after has to wait until the vector has left for memory. */
+PSC_LANE void copy3(const double from[3], double to[3])
+{
+    to[0] = from[0];
+    to[1] = from[1];
+    to[2] = from[2];
+}
+
+/* scale v, likewise. */
+PSC_LANE void scale3(double scale, const double v[3], double to[3])
+{
+    to[0] = scale * v[0];
+    to[1] = scale * v[1];
+    to[2] = scale * v[2];
 }
 
 PSC_LANE double dot(const double a[3], const double b[3])

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* One build and one sample per element, in both precisions. */
-#include "sampler.h"
+#include "checks.h"
 
 #define PSC_BITS 64
 #include "precision.h"
