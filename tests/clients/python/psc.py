@@ -152,8 +152,9 @@ def samples(count, dtype, outputs):
     return out
 
 
-def technique(measure, map, one_sided):
-    return Technique(ctypes.sizeof(Technique), measure, map, ONE_SIDED * one_sided)
+def technique(measure, map, one_sided, table):
+    return Technique(ctypes.sizeof(Technique), measure, map, ONE_SIDED * one_sided,
+                     table and table.address)
 
 
 def receiver(position, normal, two_sided):
@@ -173,6 +174,7 @@ class Library:
         self.calls.psc_result_string.restype = ctypes.c_char_p
         self.calls.psc_version.restype = ctypes.c_uint32
         self.calls.psc_sampler_destroy.restype = None
+        self.calls.psc_table_size.restype = ctypes.c_size_t
 
     def check(self, result):
         """Raises what is an error; returns the status."""
@@ -182,6 +184,10 @@ class Library:
 
     def sampler(self):
         return Sampler(self)
+
+    def table(self, resolution):
+        """What the tabulated map looks up."""
+        return Table(self, resolution)
 
     def function(self, light, name):
         return getattr(self.calls, f'psc_{type(light).__name__.lower()}_{name}')
@@ -206,7 +212,7 @@ class Library:
                            *parts(light))
 
     def sample_n(self, light, uv, position, normal=None, measure=SOLID_ANGLE, map=RADIAL,
-                 one_sided=False, two_sided_receivers=False, **outputs):
+                 one_sided=False, two_sided_receivers=False, table=None, **outputs):
         """One build and one sample for each element; without a normal, of points in a volume."""
         count, dtype = len(uv), uv.dtype
         light = type(light)(*(as_array(part, dtype) for part in light))
@@ -218,10 +224,21 @@ class Library:
             receivers.normal = spread(normal, count, 3, dtype)
         call = self.function(light, 'sample_n_' + suffix(dtype))
         return self.check(call(
-            ctypes.byref(technique(measure, map, one_sided)), ctypes.c_size_t(count),
+            ctypes.byref(technique(measure, map, one_sided, table)), ctypes.c_size_t(count),
             ctypes.byref(receivers), *wavefront_parts(light, count, dtype),
             ctypes.byref(view(uv, count, 2, dtype)),
             ctypes.byref(samples(count, dtype, outputs))))
+
+
+class Table:
+    """Of the tabulated map, in memory of numpy's."""
+
+    def __init__(self, library, resolution):
+        size = library.calls.psc_table_size(ctypes.c_uint32(resolution))
+        self.memory, self.address = numpy.empty(-(-size // 4), 'u4'), ctypes.c_void_p()
+        library.check(library.calls.psc_table_init(
+            ctypes.c_void_p(self.memory.ctypes.data), ctypes.c_size_t(size),
+            ctypes.c_uint32(resolution), ctypes.byref(self.address)))
 
 
 class Sampler:
@@ -236,11 +253,12 @@ class Sampler:
         self.calls.psc_sampler_destroy(self.handle)
 
     def build(self, light, position, normal=None, measure=SOLID_ANGLE, map=RADIAL, one_sided=False,
-              two_sided_receiver=False):
+              two_sided_receiver=False, table=None):
         """Whether anything of the light can be seen."""
+        self.table = table  # must live as long
         call = getattr(self.calls, 'psc_build_' + type(light).__name__.lower())
         return self.library.check(call(
-            self.handle, ctypes.byref(technique(measure, map, one_sided)),
+            self.handle, ctypes.byref(technique(measure, map, one_sided, table)),
             ctypes.byref(receiver(position, normal, two_sided_receiver)), *parts(light))) == SUCCESS
 
     def describe(self):

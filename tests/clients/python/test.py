@@ -126,5 +126,20 @@ for shape, light in enumerate(lights, 1):
         ok &= found[i] == one[0]
     check(f'{name}: a wavefront of many lights, in float', ok)
 
+# The map that needs a table, which the sampler keeps alive.
+disk = lights[2]
+mean = {}
+for how in {'map': psc.RADIAL}, {'map': psc.TABULATED, 'table': library.table(256)}:
+    sampler.build(disk, origin, up, **how)
+    sampler.sample_n(uv, weight=weight, status=status)
+    mean[how['map']] = numpy.where(status == psc.SUCCESS, weight, 0).mean()
+check('the tabulated map', abs(mean[psc.TABULATED] / mean[psc.RADIAL] - 1) < 0.05)
+try:
+    library.table(1)
+    words = ''
+except psc.Error as error:
+    words = str(error)
+check(f'a table without rows: {words}', 'resolution' in words)
+
 print(f'1..{count}')
 sys.exit(failures != 0)
