@@ -8,12 +8,8 @@
 enum { PICTURES = 2, REPEATS = 32 };
 
 /* Where what is exact is known, each technique has this share of a reference's samples to get
-   there; not area, whose samples near a light are rare and large: what was seen of them tells
-   nothing of the deviation that those have which were not seen. */
-static unsigned check_samples(const options *o, const technique_row *t)
-{
-    return t->measure == PSC_MEASURE_AREA ? 0 : o->reference / 4;
-}
+   there. */
+enum { CHECKS = 4 };
 
 static const unsigned pictured[PICTURES] = {1, 4};
 
@@ -79,9 +75,17 @@ static void render_halves(evaluation *e, unsigned technique, unsigned count)
     }
 }
 
+/* The normal deviate that is as rare as Student's t of a number of degrees of freedom [D. Wallace,
+   Bounds on normal approximations to Student's and the chi-square distributions, 1959]. */
+static double normal_from_t(double t, double freedom)
+{
+    return (8 * freedom + 1) / (8 * freedom + 3) * sqrt(freedom * log1p(t * t / freedom));
+}
+
 /* How far the mean of the two halves is from what is exact, in standard deviations, in the worst
-   of the parts that the hits are cut into; the halves tell the deviation, and a part has hits
-   enough for that. */
+   of the parts that the hits are cut into. The halves tell the deviation, each hit with one degree
+   of freedom; where few hits near a light have most of it, few are all there are [Satterthwaite
+   1946]. */
 static double worst_bias(const evaluation *e)
 {
     const irradiance a = e->light, b = e->other;
@@ -89,13 +93,16 @@ static double worst_bias(const evaluation *e)
     double worst = 0;
 
     for (size_t part = 0; part < parts; ++part) {
-        double bias = 0, variance = 0, total = 0;
+        double bias = 0, variance = 0, squares = 0, total = 0;
         for (size_t i = part * count / parts; i < (part + 1) * count / parts; ++i) {
+            const double v = (a[i][0] - b[i][0]) * (a[i][0] - b[i][0]) / 4;
             bias += (a[i][0] + b[i][0]) / 2 - e->reference[i][0];
-            variance += (a[i][0] - b[i][0]) * (a[i][0] - b[i][0]) / 4;
+            variance += v;
+            squares += v * v;
             total += e->reference[i][0];
         }
-        worst = fmax(worst, fabs(bias) / (sqrt(variance) + rounding * total));
+        const double t = fabs(bias) / (sqrt(variance) + rounding * total);
+        worst = fmax(worst, squares > 0 ? normal_from_t(t, variance * variance / squares) : t);
     }
     return worst;
 }
@@ -112,12 +119,9 @@ static void make_reference(evaluation *e)
         printf("  reference: exact; in the worst part of the picture samples differ from it by, in "
                "standard\n  deviations:");
         for (unsigned t = 0; t < e->technique_count; ++t) {
-            const unsigned count = check_samples(e->options, &e->techniques[t]);
-            if (count == 0)
-                continue;
-            render_halves(e, t, count);
+            render_halves(e, t, e->options->reference / CHECKS);
             worst[t] = worst_bias(e);
-            printf(" %s %.1f;", e->techniques[t].name, worst[t]);
+            printf("%s %s %.1f", t ? ";" : "", e->techniques[t].name, worst[t]);
         }
         printf("\n");
         for (unsigned t = 0; t < e->technique_count; ++t)
@@ -312,9 +316,8 @@ unsigned evaluate(const options *o, int number, panel gallery[GALLERY])
     e->other = allocate(hit_count(e), sizeof *e->other);
     for (unsigned t = 0; t < e->technique_count; ++t)
         e->curves[t].name = e->techniques[t].name;
-    e->work = (e->scene.open ? 0 : LAYERS * o->reference) + 2 * e->technique_count;
-    for (unsigned t = 0; e->scene.open && t < e->technique_count; ++t)
-        e->work += LAYERS * check_samples(o, &e->techniques[t]);
+    e->work = LAYERS * (e->scene.open ? o->reference / CHECKS * e->technique_count : o->reference)
+              + 2 * e->technique_count;
     /* Of a scene without occluders there is no chart. */
     const unsigned most = e->scene.open ? pictured[PICTURES - 1] : o->samples;
     for (unsigned n = 1; n <= most; n *= 2)
