@@ -116,6 +116,7 @@ psc_result psc_build(psc_sampler *sampler, const struct psc_shape_row *shape, co
         for (k = 0; parts[i] && k < numbers; k++)
             geometry[n++] = parts[i][k];
     }
+    request.numbers = n; /* which tell a polygon its vertices */
     if (result == PSC_SUCCESS)
         result = psc_check_offer(shape, &request);
     if (result == PSC_SUCCESS)

@@ -54,7 +54,7 @@ struct psc_request {
     const double *normal; /* finite and not zero, or NULL */
     int one_sided;        /* whether the light leaves its surface on one side only */
     const psc_table *table;
-    int numbers;          /* of the geometry, where that is read from arrays */
+    int numbers;          /* of the geometry, where a shape may have more or fewer */
 };
 
 /* Of a description whose size is not the one that is known: newer ones may be longer if what is
