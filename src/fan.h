@@ -25,6 +25,7 @@
     X(height) X(height_a) X(height_c) /* of these above the receiver's plane */       \
     X(share_a) X(share_c) X(slant) /* from the frame to a / |a| and c / |c| */        \
     X(cos_ab) X(cos_bc)                                                               \
+    X(per_cos) /* 1 / cos_ab where a and b are in line or nearly so, else 0 */         \
     X(per_a) X(per_b) X(per_c) /* 1 / |a| and so on */
 
 /* The same triangle in world space: B, the edges to A and C, and the vertices' coordinates on the
@@ -84,7 +85,8 @@ PSC_LANE struct psc_face_f32 psc_face_round(const struct psc_face_f64 *from)
 /* For the area maps, which are computed in double: b and the edges to A and C in the view, and
    the receiver's normal. */
 struct psc_flat {
-    double b[3], low[3], edge_a[3], edge_c[3], up[3];
+    struct psc_word2 b, edge_a, edge_c;
+    double up[3];
 };
 
 /* A sampled direction in the frame at B. */

@@ -5,11 +5,6 @@
 
 #include "fan.h"
 
-/* A vertex or an edge in two words, in units of the view. */
-struct psc_word2 {
-    double high[3], low[3];
-};
-
 /* Vertices and edges of a triangle: edge_a and edge_c from B to A and C, edge_ac from A to C. */
 struct psc_triangle_words {
     struct psc_word2 a, b, c, edge_a, edge_c, edge_ac;
@@ -26,6 +21,21 @@ PSC_LANE void cross_words(const struct psc_word2 *e, const struct psc_word2 *v, 
     cross_rounded(e->high, v->low, second);
     for (i = 0; i < 3; i++)
         to[i] += first[i] + second[i];
+}
+
+/* Of two vertices the nearer one: its product with the edge between them is theirs, and does not
+   lose it where the receiver is much closer to one of them. */
+PSC_LANE struct psc_word2 nearer(const struct psc_word2 *a, double length_a,
+                                 const struct psc_word2 *b, double length_b)
+{
+    struct psc_word2 v;
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        v.high[i] = length_a < length_b ? a->high[i] : b->high[i];
+        v.low[i] = length_a < length_b ? a->low[i] : b->low[i];
+    }
+    return v;
 }
 
 /* The triangle as sine and cosine functions of it want it. */
@@ -49,34 +59,53 @@ PSC_LANE double one_plus(double cosine, double sine2)
 }
 
 /*
- * b . (c - b) x (a - b), the volume, from exact products: relative to itself, also for a receiver
- * all but in the plane of the triangle.
+ * v . second x first, the volume of a vertex and two edges, from exact products: relative to
+ * itself, also for a receiver all but in the plane of the triangle.
  */
-PSC_LANE void see_volume(const struct psc_word2 *b, const struct psc_word2 *edge_c,
-                         const struct psc_word2 *edge_a, struct psc_triangle_view *o)
+PSC_LANE void see_volume(const struct psc_word2 *v, const struct psc_word2 *second,
+                         const struct psc_word2 *first, struct psc_triangle_view *o)
 {
-    double low[3], first[3], second[3], sum = 0.0, error = 0.0;
+    double low[3], more[3], less[3], sum = 0.0, error = 0.0;
     int i;
 
-    cross_rounded(edge_c->low, edge_a->high, first);
-    cross_rounded(edge_c->high, edge_a->low, second);
+    cross_rounded(second->low, first->high, more);
+    cross_rounded(second->high, first->low, less);
     for (i = 0; i < 3; i++) {
         const int j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
         double p, pe, q, qe;
 
-        two_product(edge_c->high[j], edge_a->high[k], &p, &pe);
-        two_product(edge_c->high[k], edge_a->high[j], &q, &qe);
+        two_product(second->high[j], first->high[k], &p, &pe);
+        two_product(second->high[k], first->high[j], &q, &qe);
         two_sum(p, -q, &o->normal[i], &low[i]);
-        low[i] += (pe - qe) + (first[i] + second[i]);
+        low[i] += (pe - qe) + (more[i] + less[i]);
     }
     for (i = 0; i < 3; i++) {
-        add_product(b->high[i], o->normal[i], &sum, &error);
-        error += b->high[i] * low[i] + b->low[i] * o->normal[i];
+        add_product(v->high[i], o->normal[i], &sum, &error);
+        error += v->high[i] * low[i] + v->low[i] * o->normal[i];
     }
     o->volume = sum + error;
     for (i = 0; i < 3; i++)
         o->normal[i] += low[i];
     o->twice_area = SQRT(dot(o->normal, o->normal));
+}
+
+/* Of the three edges the two shorter ones, in an order that turns as edge_c and edge_a do: the
+   product of a needle's long ones is all but lost. */
+PSC_LANE void short_edges(const struct psc_triangle_words *words, struct psc_word2 *second,
+                          struct psc_word2 *first)
+{
+    const double a2 = dot(words->edge_a.high, words->edge_a.high);
+    const double c2 = dot(words->edge_c.high, words->edge_c.high);
+    const double ac2 = dot(words->edge_ac.high, words->edge_ac.high);
+    const int no_a = (a2 > c2) & (a2 > ac2), no_c = !no_a & (c2 > ac2);
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        second->high[i] = no_a | no_c ? words->edge_ac.high[i] : words->edge_c.high[i];
+        second->low[i] = no_a | no_c ? words->edge_ac.low[i] : words->edge_c.low[i];
+        first->high[i] = no_a ? words->edge_c.high[i] : words->edge_a.high[i];
+        first->low[i] = no_a ? words->edge_c.low[i] : words->edge_a.low[i];
+    }
 }
 
 /*
@@ -93,15 +122,20 @@ PSC_LANE void see_triangle(const struct psc_triangle_words *words, struct psc_tr
     const double length_a = SQRT(dot(a->high, a->high));
     const double length_b = SQRT(dot(b->high, b->high));
     const double length_c = SQRT(dot(c->high, c->high));
+    struct psc_word2 near, second, first;
     double cos_ac, sin2_ab, sin2_ac, sin2_bc, at_a, at_b;
     int i, opposite, seen;
 
     o->per_a = 1.0 / length_a;
     o->per_b = 1.0 / length_b;
     o->per_c = 1.0 / length_c;
-    cross_words(&words->edge_a, b, o->ab);
-    cross_words(a, &words->edge_ac, o->ac);
-    cross_words(b, &words->edge_c, o->bc);
+    near = nearer(a, length_a, c, length_c);
+    cross_words(&near, &words->edge_ac, o->ac);
+    near = nearer(b, length_b, c, length_c);
+    cross_words(&near, &words->edge_c, o->bc);
+    near = nearer(a, length_a, b, length_b);
+    cross_words(&words->edge_a, &near, o->ab);
+    near = nearer(&near, MIN(length_a, length_b), c, length_c);
     for (i = 0; i < 3; i++) {
         o->ab[i] *= o->per_a * o->per_b;
         o->ac[i] *= o->per_a * o->per_c;
@@ -118,7 +152,8 @@ PSC_LANE void see_triangle(const struct psc_triangle_words *words, struct psc_tr
     o->more_ab = one_plus(o->cos_ab, sin2_ab);
     o->less_ab = one_plus(-o->cos_ab, sin2_ab);
 
-    see_volume(b, &words->edge_c, &words->edge_a, o);
+    short_edges(words, &second, &first);
+    see_volume(&near, &second, &first, o);
     o->sine = ABS(o->volume) * o->per_a * o->per_b * o->per_c;
     o->more_ac = one_plus(cos_ac, sin2_ac);
     at_a = o->more_ab * o->more_ac + dot(o->ab, o->ac);
@@ -170,6 +205,7 @@ PSC_LANE void fan_build(const struct psc_triangle_view *o, const struct psc_word
     f->slant = dot(edge_c->high, f->toward_a) * o->per_c;
     f->cos_ab = o->cos_ab;
     f->cos_bc = o->cos_bc;
+    f->per_cos = ABS(o->cos_ab) > 0.5 ? 1.0 / o->cos_ab : 0.0;
     f->per_a = o->per_a;
     f->per_b = o->per_b;
     f->per_c = o->per_c;

@@ -84,16 +84,19 @@ PSC_LANE real FN(fan_share)(real x)
 /*
  * Where the direction meets the light: the shares of A and C (that of B is the rest), and the
  * distance in units of the view. The direction is a sum of a / |a|, b / |b|, c / |c| with
- * positive shares, which follow from its coordinates; no ray is intersected.
+ * positive shares, which follow from its coordinates; no ray is intersected. Where a and b are all
+ * but in line, rounding moves much of one share to the other, and what is left of the sum is right:
+ * so neither takes more than there is.
  */
 PSC_LANE void FN(fan_hit)(const struct FN(psc_fan) *f, const struct FN(psc_spot) *p,
                           real *share_a, real *share_b, real *share_c, real *distance)
 {
     const real c = FN(fan_share)(p->c * f->share_c);
-    const real a = FN(fan_share)((p->a - c * f->slant) * f->share_a);
-    const real b = FN(fan_share)(p->b - a * f->cos_ab - c * f->cos_bc);
+    const real first = FN(fan_share)((p->a - c * f->slant) * f->share_a);
+    const real rest = p->b - first * f->cos_ab - c * f->cos_bc;
+    const real a = FN(fan_share)(first + MIN(rest, K(0.0)) * f->per_cos);
     const real to_a = FN(fan_share)(a * f->per_a);
-    const real to_b = FN(fan_share)(b * f->per_b);
+    const real to_b = FN(fan_share)(rest * f->per_b);
     const real to_c = FN(fan_share)(c * f->per_c);
     const real sum = to_a + to_b + to_c;
     const real inverse = K(1.0) / MAX(sum, SMALLEST);

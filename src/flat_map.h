@@ -12,19 +12,19 @@ struct psc_flat_point {
     double share[3], direction[3], distance, height, pdf, inverse;
 };
 
-/* start + s first + t second for start in two words, to rounding of the result: the receiver may
-   be much closer to the point than to the corners of the light. */
-PSC_LANE void point_between(const double start[3], const double low[3], const double first[3],
-                            const double second[3], double s, double t, double to[3])
+/* start + s first + t second, to rounding of the result: the receiver may be much closer to the
+   point than to the corners of the light, or at one of them to rounding. */
+PSC_LANE void point_between(const struct psc_word2 *start, const struct psc_word2 *first,
+                            const struct psc_word2 *second, double s, double t, double to[3])
 {
     int i;
 
     for (i = 0; i < 3; i++) {
-        double high = start[i], error = low[i];
+        double high = start->high[i], error = start->low[i];
 
-        add_product(s, first[i], &high, &error);
-        add_product(t, second[i], &high, &error);
-        to[i] = high + error;
+        add_product(s, first->high[i], &high, &error);
+        add_product(t, second->high[i], &high, &error);
+        to[i] = high + (error + (s * first->low[i] + t * second->low[i]));
     }
 }
 
@@ -39,7 +39,7 @@ PSC_LANE void flat_map(const struct psc_flat *f, double volume, double u, double
     double d[3], t, inverse, cube;
     int i;
 
-    point_between(f->b, f->low, f->edge_a, f->edge_c, a, c, d);
+    point_between(&f->b, &f->edge_a, &f->edge_c, a, c, d);
     t = __builtin_sqrt(dot(d, d));
     inverse = 1.0 / t;
     cube = 2.0 * (t * t * t);

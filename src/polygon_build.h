@@ -71,7 +71,7 @@ PSC_LANE psc_case see_horizon(const double *normal, const struct psc_polygon_vie
 
 /* Sums over the triangles of a fan. */
 struct psc_fan_sums {
-    double normal[3], volume, half, twice_area, parts;
+    double normal[3], volume, half, parts; /* the length of normal is twice the area */
 };
 
 /* B in world space, its height above the receiver's plane, and the coordinates of the vertices on
@@ -95,7 +95,6 @@ PSC_LANE void fan_add(struct psc_polygon_light *l, int area, const struct psc_tr
     see_triangle(w, &seen);
     for (i = 0; i < 3; i++)
         sums->normal[i] += seen.normal[i];
-    sums->twice_area += seen.twice_area;
     if (!(seen.half > 0.0))
         return;
     sums->volume += seen.volume;
@@ -115,13 +114,11 @@ PSC_LANE void fan_add(struct psc_polygon_light *l, int area, const struct psc_tr
     if (area) {
         struct psc_flat *flat = l->flat + l->triangles;
 
-        for (i = 0; i < 3; i++) {
-            flat->b[i] = w->b.high[i];
-            flat->low[i] = w->b.low[i];
+        flat->b = w->b;
+        flat->edge_a = w->edge_a;
+        flat->edge_c = w->edge_c;
+        for (i = 0; i < 3; i++)
             flat->up[i] = l->up[i];
-            flat->edge_a[i] = w->edge_a.high[i];
-            flat->edge_c[i] = w->edge_c.high[i];
-        }
     }
     part = area ? seen.twice_area : seen.half;
     l->below[l->triangles] = sums->parts;
@@ -137,7 +134,7 @@ PSC_LANE psc_result polygon_finish(psc_sampler *s, const struct psc_request *req
 {
     struct psc_polygon_light *l = &s->polygon;
     const double unit = 1.0 / l->view.scale;
-    double length;
+    const double twice_area = SQRT(dot(sums->normal, sums->normal));
     int i;
 
     if (!(sums->volume != 0.0) || (request->one_sided && sums->volume * front < 0.0) ||
@@ -148,19 +145,18 @@ PSC_LANE psc_result polygon_finish(psc_sampler *s, const struct psc_request *req
         /* Nothing falls to a share smaller than that. */
         l->per_share[i] = MIN(sums->parts / l->per_share[i], 0x1p96);
     }
-    length = -front / SQRT(dot(sums->normal, sums->normal));
     for (i = 0; i < 3; i++)
-        l->normal[i] = sums->normal[i] * length;
+        l->normal[i] = sums->normal[i] * (-front / twice_area);
     l->volume = ABS(sums->volume);
     l->solid_angle = 2.0 * sums->half;
-    l->area = 0.5 * sums->twice_area * unit * unit;
+    l->area = 0.5 * twice_area * unit * unit;
     s->total = s->measure == PSC_MEASURE_AREA ? l->area : l->solid_angle;
     s->sides = 1;
     s->split = 1.0;
     return PSC_SUCCESS;
 }
 
-#define NO_SUMS {{0.0, 0.0, 0.0}, 0.0, 0.0, 0.0, 0.0}
+#define NO_SUMS {{0.0, 0.0, 0.0}, 0.0, 0.0, 0.0}
 
 /* A triangle (v0, v1, v2) has A, B and C in that order, and is seen from its front where its
    volume is negative. */

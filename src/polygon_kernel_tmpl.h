@@ -70,7 +70,7 @@ PSC_LANE void FN(rectangle_lane)(const struct psc_rectangle *f, const double up[
     p.u = (double)u;
     p.v = (double)v;
     if (area) {
-        point_between(f->start, f->low, f->along, f->across, p.u, p.v, d);
+        point_between(&f->start, &f->along, &f->across, p.u, p.v, d);
     } else {
         rectangle_map(f, p.u, p.v, &p);
         rectangle_vector(f, &p, d);

@@ -16,6 +16,11 @@ struct psc_polygon_view {
     double scale;
 };
 
+/* A vertex or an edge in two words, in units of the view. */
+struct psc_word2 {
+    double high[3], low[3];
+};
+
 /* vertices: count times three coordinates. Returns whether all is finite. */
 PSC_LANE int see_polygon(const double position[3], int count, const double *vertices,
                          struct psc_polygon_view *o)

@@ -53,6 +53,7 @@ psc_result psc_rectangle_solid_angle(const double position[3], const double corn
     struct psc_triangle_view seen;
     struct psc_polygon_view view;
     double numbers[9];
+    psc_result result;
 
     if (!position || !corner || !edge_u || !edge_v || !solid_angle)
         return PSC_ERROR_NULL_POINTER;
@@ -60,10 +61,11 @@ psc_result psc_rectangle_solid_angle(const double position[3], const double corn
     memcpy(numbers + 3, edge_u, 3 * sizeof *edge_u);
     memcpy(numbers + 6, edge_v, 3 * sizeof *edge_v);
     if (!is_finite3(position) || !is_finite3(corner) || !is_finite3(edge_u) ||
-        !is_finite3(edge_v) || !see_rectangle(position, numbers, &view, &words))
+        !is_finite3(edge_v))
         return PSC_ERROR_NOT_FINITE;
-    if (!is_rectangle(&words))
-        return PSC_ERROR_NOT_RECTANGLE;
+    result = see_rectangle(position, numbers, &view, &words);
+    if (result != PSC_SUCCESS)
+        return result;
     rectangle_see(&words, &rectangle, &seen);
     *solid_angle = 2.0 * rectangle.half;
     return *solid_angle > 0.0 ? PSC_SUCCESS : PSC_EMPTY;

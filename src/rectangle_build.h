@@ -8,67 +8,100 @@
 /* The edges of a rectangle may be off the right angle by this much, as a cosine. */
 #define PSC_RECTANGLE_TOLERANCE 1e-6
 
-/* The sum of a two-word number and a vector. */
-PSC_LANE void add_edge(const struct psc_word2 *v, const double edge[3], struct psc_word2 *to)
+/* Corner, edges and diagonal in units of the view, whose vertices are corner, corner + u, corner +
+   u + v, corner + v. */
+struct psc_rectangle_words {
+    struct psc_word2 corner, u, v, diagonal;
+};
+
+PSC_LANE void add_words(const struct psc_word2 *a, const struct psc_word2 *b, struct psc_word2 *to)
 {
     double low;
     int c;
 
     for (c = 0; c < 3; c++) {
-        two_sum(v->high[c], edge[c], &to->high[c], &low);
-        low += v->low[c];
+        two_sum(a->high[c], b->high[c], &to->high[c], &low);
+        low += a->low[c] + b->low[c];
         two_sum(to->high[c], low, &to->high[c], &to->low[c]);
     }
 }
 
-/* Corner and edges in units of the view, whose vertices are corner, corner + u, corner + u + v,
-   corner + v; whether all is finite. */
-struct psc_rectangle_words {
-    struct psc_word2 corner, u, v, diagonal;
-};
+PSC_LANE void scale_words(struct psc_word2 *w, double scale)
+{
+    int c;
 
-PSC_LANE int see_rectangle(const double position[3], const double *g,
-                           struct psc_polygon_view *view, struct psc_rectangle_words *o)
+    for (c = 0; c < 3; c++) {
+        w->high[c] *= scale;
+        w->low[c] *= scale;
+    }
+}
+
+/* What edge_v has across edge_u, in two words: rounding leaves edges of no caller exactly
+   perpendicular, and maps and totals that take a needle for different shapes differ by more than
+   rounding. */
+PSC_LANE psc_result straighten(const double u[3], const double v[3], struct psc_word2 *to)
+{
+    const double scale_u = unit_scale(largest(u)), scale_v = unit_scale(largest(v));
+    double uu = 0.0, vv = 0.0, uv = 0.0, error = 0.0, shear, p, low;
+    int c;
+
+    for (c = 0; c < 3; c++) {
+        const double a = u[c] * scale_u, b = v[c] * scale_v;
+
+        uu += a * a;
+        vv += b * b;
+        add_product(a, b, &uv, &error);
+    }
+    uv += error;
+    if (!(ABS(uv) <= PSC_RECTANGLE_TOLERANCE * SQRT(uu * vv)))
+        return PSC_ERROR_NOT_RECTANGLE;
+    shear = uu > 0.0 ? uv / uu : 0.0;
+    for (c = 0; c < 3; c++) {
+        two_product(-shear, u[c] * scale_u, &p, &low);
+        two_sum(v[c] * scale_v, p, &to->high[c], &p);
+        to->low[c] = p + low;
+    }
+    scale_words(to, 1.0 / scale_v);
+    return PSC_SUCCESS;
+}
+
+/* g: corner, edge_u and edge_v, finite. */
+PSC_LANE psc_result see_rectangle(const double position[3], const double *g,
+                                  struct psc_polygon_view *view, struct psc_rectangle_words *o)
 {
     struct psc_word2 vertex[4];
     double size = 0.0;
+    psc_result result;
     int i, c;
 
     for (c = 0; c < 3; c++) {
         two_sum(g[c], -position[c], &vertex[0].high[c], &vertex[0].low[c]);
-        two_sum(g[3 + c], g[6 + c], &o->diagonal.high[c], &o->diagonal.low[c]);
         o->u.high[c] = g[3 + c];
-        o->v.high[c] = g[6 + c];
-        o->u.low[c] = o->v.low[c] = 0.0;
+        o->u.low[c] = 0.0;
     }
-    add_edge(&vertex[0], o->u.high, &vertex[1]);
-    add_edge(&vertex[1], o->v.high, &vertex[2]);
-    add_edge(&vertex[0], o->v.high, &vertex[3]);
+    result = straighten(g + 3, g + 6, &o->v);
+    if (result != PSC_SUCCESS)
+        return result;
+    add_words(&o->u, &o->v, &o->diagonal);
+    add_words(&vertex[0], &o->u, &vertex[1]);
+    add_words(&vertex[0], &o->diagonal, &vertex[2]);
+    add_words(&vertex[0], &o->v, &vertex[3]);
     for (i = 0; i < 4; i++)
         size = MAX(size, largest(vertex[i].high));
     view->count = 4;
     view->scale = unit_scale(size);
-    for (c = 0; c < 3; c++) {
-        for (i = 0; i < 4; i++) {
-            view->vertex[i][c] = vertex[i].high[c] * view->scale;
-            view->low[i][c] = vertex[i].low[c] * view->scale;
+    for (i = 0; i < 4; i++) {
+        scale_words(&vertex[i], view->scale);
+        for (c = 0; c < 3; c++) {
+            view->vertex[i][c] = vertex[i].high[c];
+            view->low[i][c] = vertex[i].low[c];
         }
-        o->corner.high[c] = view->vertex[0][c];
-        o->corner.low[c] = view->low[0][c];
-        o->u.high[c] *= view->scale;
-        o->v.high[c] *= view->scale;
-        o->diagonal.high[c] *= view->scale;
-        o->diagonal.low[c] *= view->scale;
     }
-    return is_finite(size);
-}
-
-/* Whether the edges are perpendicular. */
-PSC_LANE int is_rectangle(const struct psc_rectangle_words *o)
-{
-    return ABS(dot(o->u.high, o->v.high)) <=
-           PSC_RECTANGLE_TOLERANCE *
-               SQRT(dot(o->u.high, o->u.high) * dot(o->v.high, o->v.high));
+    o->corner = vertex[0];
+    scale_words(&o->u, view->scale);
+    scale_words(&o->v, view->scale);
+    scale_words(&o->diagonal, view->scale);
+    return is_finite(size) ? PSC_SUCCESS : PSC_ERROR_NOT_FINITE;
 }
 
 /* g(x) - 1. */
@@ -77,37 +110,38 @@ PSC_LANE double rectangle_excess(const struct psc_rectangle *f, double x)
     return rectangle_step(0.0, x, f->p0, f->p1);
 }
 
-/* What the receiver sees, in the local frame; half is 0 when it is nothing. Edges are taken for
-   perpendicular: the part of v across u counts. */
+/* Adds the product of v and w to the unevaluated sum *high + *low. */
+PSC_LANE void add_dot(const struct psc_word2 *v, const struct psc_word2 *w, double *high,
+                      double *low)
+{
+    int c;
+
+    for (c = 0; c < 3; c++)
+        add_product(v->high[c], w->high[c], high, low);
+    *low += dot(v->low, w->high) + dot(v->high, w->low);
+}
+
+/* What the receiver sees, in the local frame; half is 0 when it is nothing. */
 PSC_LANE void rectangle_see(const struct psc_rectangle_words *o, struct psc_rectangle *f,
                             struct psc_triangle_view *seen)
 {
-    const double width2 = dot(o->u.high, o->u.high), width = SQRT(width2);
-    double along = 0.0, along_low = 0.0, across = 0.0, across_low = 0.0, slant = 0.0, slant_low = 0.0;
-    double shear, x1, cosine, more, e0, e1, below, above, plain;
+    double along = 0.0, along_low = 0.0, across = 0.0, across_low = 0.0;
+    double x1, cosine, more, e0, e1, below, above, plain;
     int c;
 
     see_volume(&o->corner, &o->u, &o->v, seen);
-    f->width = width;
-    f->height = seen->twice_area / width;
-    for (c = 0; c < 3; c++) {
-        add_product(o->corner.high[c], o->u.high[c], &along, &along_low);
-        add_product(o->corner.high[c], o->v.high[c], &across, &across_low);
-        add_product(o->u.high[c], o->v.high[c], &slant, &slant_low);
-        f->x[c] = o->u.high[c] / width;
-    }
-    along_low += dot(o->corner.low, o->u.high);
-    across_low += dot(o->corner.low, o->v.high);
-    shear = (slant + slant_low) / width2;
-    f->x0 = (along + along_low) / width;
-    f->y0 = ((across + across_low) - shear * (along + along_low)) / f->height;
-    for (c = 0; c < 3; c++) {
-        add_product(o->u.high[c], o->u.high[c], &along, &along_low);
-        add_product(o->v.high[c], o->v.high[c], &across, &across_low);
-    }
-    x1 = f->x1 = (along + along_low) / width;
-    f->y1 = ((across + across_low) - shear * (along + along_low - width2 + (slant + slant_low))) /
-            f->height;
+    f->width = SQRT(dot(o->u.high, o->u.high));
+    f->height = seen->twice_area / f->width;
+    add_dot(&o->corner, &o->u, &along, &along_low);
+    add_dot(&o->corner, &o->v, &across, &across_low);
+    f->x0 = (along + along_low) / f->width;
+    f->y0 = (across + across_low) / f->height;
+    add_dot(&o->u, &o->u, &along, &along_low);
+    add_dot(&o->v, &o->v, &across, &across_low);
+    x1 = f->x1 = (along + along_low) / f->width;
+    f->y1 = (across + across_low) / f->height;
+    for (c = 0; c < 3; c++)
+        f->x[c] = o->u.high[c] / f->width;
     f->z = ABS(seen->volume) / seen->twice_area;
     for (c = 0; c < 3; c++)
         f->up[c] = COPYSIGN(1.0, seen->volume) * seen->normal[c] / seen->twice_area;
@@ -139,7 +173,7 @@ PSC_LANE void rectangle_see(const struct psc_rectangle_words *o, struct psc_rect
         f->g_a = 1.0 + e0;
         f->k1 = e0 * e0 + 2.0 * f->g_a * more;
         f->k2 = cosine < 0.0 ? e0 + more : f->g_a + cosine;
-        f->most[0] = rectangle_step(f->x0, width, f->p0, f->p1);
+        f->most[0] = rectangle_step(f->x0, f->width, f->p0, f->p1);
         f->most[1] = 0.0;
         plain = 1.0 + f->g_a * (1.0 + e1) + (f->g_a + (1.0 + e1)) * cosine;
         f->half_below = 0.0;
@@ -158,29 +192,27 @@ PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *re
     struct psc_fan_sums sums = NO_SUMS;
     struct psc_triangle_view seen;
     struct psc_rectangle_words o;
+    psc_result result;
     int c;
 
-    if (!see_rectangle(request->position, g, &l->view, &o))
-        return PSC_ERROR_NOT_FINITE;
-    if (!is_rectangle(&o))
-        return PSC_ERROR_NOT_RECTANGLE;
+    result = see_rectangle(request->position, g, &l->view, &o);
+    if (result != PSC_SUCCESS)
+        return result;
     s->visibility = see_horizon(request->normal, &l->view, l->up, l->height);
     l->triangles = 0;
     if (s->map == PSC_MAP_PARALLEL) {
         struct psc_rectangle *f = &l->rectangle;
 
         rectangle_see(&o, f, &seen);
+        f->start = o.corner;
+        f->along = o.u;
+        f->across = o.v;
         for (c = 0; c < 3; c++) {
-            sums.normal[c] = -seen.normal[c];
-            f->start[c] = o.corner.high[c];
-            f->low[c] = o.corner.low[c];
-            f->along[c] = o.u.high[c];
-            f->across[c] = o.v.high[c];
+            sums.normal[c] = -2.0 * seen.normal[c];
             f->corner[c] = g[c];
             f->edge_u[c] = g[3 + c];
-            f->edge_v[c] = g[6 + c];
+            f->edge_v[c] = o.v.high[c] * (1.0 / l->view.scale);
         }
-        sums.twice_area = 2.0 * f->width * f->height;
         sums.volume = f->half > 0.0 ? -2.0 * seen.volume : 0.0;
         sums.half = f->half;
     } else {

@@ -25,7 +25,7 @@ struct psc_rectangle {
     double most[2];           /* g - g_a at both ends, x_1 and, mirrored, x_0 */
     double p0, p1, x0, x1, y0, y1, z, width, height;
     double x[3], y[3], up[3];             /* the local frame */
-    double start[3], low[3], along[3], across[3]; /* corner and edges in the view */
+    struct psc_word2 start, along, across; /* corner and edges in the view */
     double corner[3], edge_u[3], edge_v[3]; /* and in world space */
 };
 

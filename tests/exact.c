@@ -70,7 +70,7 @@ static void exact_receiver(uint64_t *state, const struct light *light, int64_t f
     }
 }
 
-void place_exactly(uint64_t *state, struct light *light)
+void place_exactly(uint64_t *state, struct light *light, shape_maker *make)
 {
     const int64_t(*matrix)[3] = turns[random_below(state, 4)];
     const double scale = power_of_two(random_below(state, 80) - 60);
@@ -80,7 +80,7 @@ void place_exactly(uint64_t *state, struct light *light)
     const char *part;
     int i;
 
-    light->shape->make(state, light->what, random_below(state, 2), light->geometry);
+    make(state, light->what, random_below(state, 2), light->geometry);
     exact_receiver(state, light, from);
     for (i = 0; i < 3; i++) {
         shift[i] = random_below(state, 2) ? around(state, 1 << 20) : 0;

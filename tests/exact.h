@@ -14,9 +14,9 @@ int64_t square_root(int64_t x);
 /* From -n to n. */
 int64_t around(uint64_t *state, int64_t n);
 
-/* What a shape makes, rounded to a grid and turned by a matrix of integers, so that what is flat
-   stays flat and what is square stays square; the receiver anywhere, in the plane of a flat
-   light, over its edges and middle, or one unit off. */
-void place_exactly(uint64_t *state, struct light *light);
+/* What `make` makes for a shape, rounded to a grid and turned by a matrix of integers, so that what
+   is flat stays flat and what is square on the grid stays square; the receiver anywhere, in the
+   plane of a flat light, over its edges and middle, or one unit off. */
+void place_exactly(uint64_t *state, struct light *light, shape_maker *make);
 
 #endif

@@ -87,11 +87,14 @@ static void face_light(uint64_t *state, const struct light *light, int horizon,
                        const double from[3], double normal[3])
 {
     double towards[3] = {0.0, 0.0, 1.0}, across[3], size = 1.0, sine;
+    const int aside = horizon == HORIZON_ABOVE || horizon == HORIZON_BELOW;
     const double length = sqrt(dot(from, from));
     int i;
 
     if (is_distant(light->shape))
         size = light->geometry[3] < 1.57 ? sin(light->geometry[3]) : 1.0;
+    else if (light->shape->flat && length < 1.0 && aside) /* which a plane alone makes sure of */
+        towards[2] = -copysign(1.0, from[2]);
     else if (length > 0.0) {
         size = fmin(1.0 / length, 1.0);
         scale3(from, -1.0 / length, towards);
@@ -240,7 +243,10 @@ void exact_light(uint64_t *state, const struct shape *shape, const struct test_t
     memset(light, 0, sizeof *light);
     light->shape = shape;
     light->what = what;
-    (shape->exact ? shape->exact : place_exactly)(state, light);
+    if (shape->exact)
+        shape->exact(state, light);
+    else
+        place_exactly(state, light, shape->make);
     set_facing(light, random_below(state, FACINGS));
 }
 

@@ -13,11 +13,17 @@
 #include "calls.h"
 #include "random.h"
 
-#define TEST_SHAPES(X) X(sphere) X(cap) X(disk) X(ellipse) X(ellipsoid)
+#define TEST_SHAPES(X)                                         \
+    X(sphere) X(cap) X(disk) X(ellipse) X(ellipsoid)           \
+    X(triangle) X(rectangle)                                   \
+    X(polygon3) X(polygon4) X(polygon5) X(polygon8) X(polygon16)
 
 enum { GEOMETRY_MAX = 48, PARTS_MAX = 16 };
 
 struct light;
+
+typedef void shape_maker(uint64_t *state, const struct test_technique *what, int hard,
+                         double *geometry);
 
 struct shape {
     const char *name;
@@ -27,6 +33,7 @@ struct shape {
        distant. */
     const char *parts;
     int flat;                                /* a surface with two sides, not a closed one */
+    int bound;                               /* parts must fit each other: no numbers will do */
     const struct test_technique *techniques; /* all that are offered; the last has no name */
     /* How often a sample may jump, of paths that a receiver takes: 0 for lights that say where the
        maps begin. The axes of a cone do not: on a way around a receiver that sees it circular
@@ -51,7 +58,7 @@ struct shape {
     /* A light about the origin, which is in the middle of it, and within a distance of 1. Flat
        ones lie in the plane z = 0 with normal (0,0,1); the middle of distant ones is (0,0,1).
        `hard` asks for extreme forms too: needles, aspects down to 1e-8. */
-    void (*make)(uint64_t *state, const struct test_technique *what, int hard, double *geometry);
+    shape_maker *make;
 
     /* How far along a ray the light is, in lengths of the direction; negative if it is missed.
        From inside, where the ray leaves. Plain geometry that shares nothing with the library. */
@@ -64,7 +71,7 @@ struct shape {
     void (*texture)(const double *geometry, const double st[2], double point[3]);
 
     /* A light, receiver and normal made of integers, with the situations that are this shape's
-       alone; NULL for what place_exactly() makes of `make`. */
+       alone; NULL for what place_exactly() does with `make`. */
     void (*exact)(uint64_t *state, struct light *light);
 };
 

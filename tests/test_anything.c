@@ -43,7 +43,7 @@ static int is_sample(const psc_sampler *sampler, double u, double v)
            pdf >= 0.0 && uv[0] >= 0.0 && uv[0] <= 1.0 && uv[1] >= 0.0 && uv[1] <= 1.0;
 }
 
-/* Numbers of any kind in every place. */
+/* Numbers of any kind in every place that may have them. */
 static void any_numbers(uint64_t *seed, struct light *light)
 {
     double *g = light->geometry;
@@ -54,7 +54,7 @@ static void any_numbers(uint64_t *seed, struct light *light)
         light->position[i] = random_below(seed, 3) ? anything(seed) : 0.0;
         light->normal[i] = anything(seed);
     }
-    for (part = light->shape->parts; *part; g += part_size(*part), part++)
+    for (part = light->shape->parts; *part && !light->shape->bound; g += part_size(*part), part++)
         for (i = 0; i < part_size(*part); i++)
             g[i] = *part == 'a'   ? ldexp(1.57 * random_uniform(seed), -random_below(seed, 40))
                    : *part == 'r' ? fabs(anything(seed))
@@ -83,7 +83,7 @@ static void any_light(uint64_t *seed, const struct shape *shape, struct light *l
     while (what[1].name && random_below(seed, 3))
         what++;
     random_hard_light(seed, shape, what, light);
-    if (!shape->joined && random_below(seed, 4)) /* whose points lie in no plane then */
+    if (random_below(seed, 4))
         any_numbers(seed, light);
     if (!is_distant(shape) && random_below(seed, 4) == 0)
         approach(seed, light);

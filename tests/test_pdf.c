@@ -123,7 +123,7 @@ static void edges(int bits, const struct shape *shape, const struct test_techniq
     double step = 64.0 * unit_of(bits);
     long outside = 0, inside = 0, lit = 0, dark = 0;
     uint64_t seed = 91;
-    char first[400] = "none";
+    char first[2200] = "none";
     int i, j;
 
     for (i = 0; i < 400; i++) {
@@ -206,7 +206,7 @@ static void samples(int bits, const struct shape *shape, const struct test_techn
 {
     long wrong = 0, tried = 0;
     uint64_t seed = 93;
-    char first[400] = "none";
+    char first[2200] = "none";
     int i, j;
 
     for (i = 0; i < 400; i++) {

@@ -42,6 +42,12 @@ struct sums {
     double solid, projected;
 };
 
+/* Runs from 0 to 1 and lingers at both, where the maps have roots. */
+static double graded(double t)
+{
+    return t * t * (3.0 - 2.0 * t);
+}
+
 /* Means of 1 / pdf and of the weight. */
 static struct sums take_samples(const struct light *light, const psc_sampler *sampler)
 {
@@ -51,13 +57,16 @@ static struct sums take_samples(const struct light *light, const psc_sampler *sa
 
     for (i = 0; i < n; i++)
         for (j = 0; j < n; j++) {
+            const double u = graded((i + 0.5) / n), v = graded((j + 0.5) / n);
+            const double share = (graded((i + 1.0) / n) - graded((double)i / n)) *
+                                 (graded((j + 1.0) / n) - graded((double)j / n));
             psc_light_sample_f64 s;
 
             memset(&s, 0xff, sizeof s);
-            psc_sample_f64(sampler, (i + 0.5) / n, (j + 0.5) / n, &s);
-            sums.projected += s.weight / (n * n);
+            psc_sample_f64(sampler, u, v, &s);
+            sums.projected += share * s.weight;
             if (is_near(light, sampler, &s))
-                sums.solid += 1.0 / s.pdf / (n * n);
+                sums.solid += share / s.pdf;
         }
     return sums;
 }

@@ -8,7 +8,7 @@
 struct worst {
     double value;
     long count;
-    char where[400];
+    char where[2200];
 };
 
 /* Adds an error; one that is not a number is the worst of all. The format describes the case. */

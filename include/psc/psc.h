@@ -401,8 +401,8 @@ PSC_API psc_result psc_build_triangle(psc_sampler *sampler, const psc_technique 
  * normals; surface has the fractions of edge_u and edge_v.
  * @param corner         finite
  * @param edge_u,edge_v  from there, finite; without length: PSC_EMPTY. Perpendicular to within
- *                       1e-6 as a cosine, else PSC_ERROR_NOT_RECTANGLE; what is left of that the
- *                       parallel map by solid angle ignores.
+ *                       1e-6 as a cosine, else PSC_ERROR_NOT_RECTANGLE; what edge_v has along
+ *                       edge_u is then left out.
  * @return as psc_build_triangle(), or PSC_ERROR_NOT_RECTANGLE
  * @since 0.1
  */
