@@ -40,14 +40,15 @@ static double distance(const double a[3], const double b[3])
     return sqrt(dot(d, d));
 }
 
-/* Of the area measures the pdf grows beyond all numbers where the surface is seen edge-on. */
+/* The pdf may be beyond all numbers: of the area measures where the surface is seen edge-on, and
+   of uneven maps where little of a tiny light is sampled often. */
 static int finite_sample(const psc_light_sample_f64 *s, const struct light *light)
 {
-    const int area = light->what->measure >= PSC_MEASURE_AREA;
+    const int bounded = light->what->measure < PSC_MEASURE_AREA && !is_uneven(light->what);
     double sum = s->weight + s->surface[0] + s->surface[1];
     int i;
 
-    if (!(area && s->weight < 1e-30))
+    if (bounded || s->weight >= 1e-30)
         sum += s->pdf;
     for (i = 0; i < 3; i++)
         sum += s->direction[i] + s->point[i] + s->normal[i];
