@@ -190,8 +190,9 @@ static void copies(const struct shape *shape)
         struct light light;
 
         memset(&a, 0, sizeof a);
-        place_light(&seed, shape, what, PLACE_ORDINARY, HORIZON_CUT, FACING_ONE, &light);
-        build_light(make_sampler(&here), &light);
+        do
+            place_light(&seed, shape, what, PLACE_ORDINARY, HORIZON_CUT, FACING_ONE, &light);
+        while (build_light(make_sampler(&here), &light) != PSC_SUCCESS);
         psc_sample_f64(here.sampler, 0.3, 0.6, &a);
         memcpy(&there, &here.storage, psc_sampler_size());
         memset(&here.storage, 0xff, sizeof here.storage);
