@@ -26,6 +26,8 @@ PSC_LANE void area_point(const struct psc_lobe_f64 *l, double w, double margin, 
     const double r = side * it, along = (l->gap + w) * it;
     const double h = along > 0.0 ? r * r / (1.0 + along) : 1.0 - along;
     const double area = l->total_area * ABS(facing);
+    /* A sign, not two comparisons: gcc 12 has no vector code for their equality in AVX-512. */
+    const double outwards = l->gap > 0.0 ? 1.0 : -1.0;
 
     p->x = r * cosine;
     p->y = r * sine;
@@ -34,7 +36,7 @@ PSC_LANE void area_point(const struct psc_lobe_f64 *l, double w, double margin, 
     p->power = w;
     p->across = t;
     *pdf = t2 * t / area;
-    *inverse = (facing > 0.0) == (l->gap > 0.0) ? area / (t2 * t) : 0.0;
+    *inverse = facing * outwards > 0.0 ? area / (t2 * t) : 0.0;
 }
 
 PSC_LANE void radial_area(const struct psc_lobe_f64 *l, double u, double v,

@@ -177,6 +177,17 @@ static inline psc_result cap_sides(psc_sampler *s, const struct psc_cap_view *o)
     return PSC_SUCCESS;
 }
 
+/* What the area maps need of a sphere, from its view. */
+PSC_LANE void area_build(struct psc_lobe_f64 *l, double distance, double radius, double power,
+                         int visible)
+{
+    l->delta = distance / radius;
+    l->gap = power / (radius * (distance + radius));
+    l->width = visible ? l->gap / l->delta : 2.0;
+    l->visible = visible ? 1.0 : 0.0;
+    l->total_area = 2.0 * PSC_PI * l->width;
+}
+
 /* The area maps of a sphere; on its surface the visible part has no area. */
 static inline psc_result area_side(psc_sampler *s, const struct psc_cap_view *o)
 {
@@ -190,11 +201,7 @@ static inline psc_result area_side(psc_sampler *s, const struct psc_cap_view *o)
         return PSC_EMPTY;
     cone_side(s->cap.side, &o->cap, o);
     s->cap.side[0].map = s->map == PSC_MAP_RADIAL ? PSC_CAP_RADIAL_AREA : PSC_CAP_CONCENTRIC_AREA;
-    l->delta = o->distance / o->radius;
-    l->gap = o->power / (o->radius * (o->distance + o->radius));
-    l->width = visible ? l->gap / l->delta : 2.0;
-    l->visible = visible ? 1.0 : 0.0;
-    l->total_area = 2.0 * PSC_PI * l->width;
+    area_build(l, o->distance, o->radius, o->power, visible);
     s->sides = 1;
     s->total = l->total_area * (s->cap.radius * s->cap.radius);
     return PSC_SUCCESS;

@@ -97,9 +97,12 @@ static psc_result FN(cap_sample)(const psc_sampler *s, real u, real v,
     default:
         return PSC_EMPTY;
     }
-    FN(cap_world)(s, side, &w);
+    /* The constants in the order of their use, and no sooner: there are more than registers. */
+    FN(cap_measure)(s, side, &w);
     FN(cap_density)(&w, p.height, &out->pdf, &out->weight, &status);
+    FN(cap_frame)(side, &w);
     FN(cap_direction)(&w, p.x, p.y, p.z, out->direction, out->direction + 1, out->direction + 2);
+    FN(cap_body)(s, side, &w);
     FN(cap_surface)(&w, out->direction, p.x, p.y, p.z,
                     FN(cap_depth)(&w, p.height, p.power, p.across), out->point, out->normal,
                     &out->distance);

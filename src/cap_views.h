@@ -12,6 +12,8 @@ struct views {
     double q2[PSC_BLOCK], h0[PSC_BLOCK];
     double axis[3][PSC_BLOCK], sideways[3][PSC_BLOCK], normal[3][PSC_BLOCK];
     double distance[PSC_BLOCK];
+    /* In the units of the view. */
+    double far[PSC_BLOCK], radius[PSC_BLOCK], power[PSC_BLOCK];
     double sign[PSC_BLOCK]; /* of the side of the receiver's plane */
     int32_t kind[PSC_BLOCK];
 };
@@ -59,6 +61,9 @@ PSC_LANE void store_view(struct views *to, size_t i, const struct psc_cap_view *
         to->normal[c][i] = o->normal[c];
     }
     to->distance[i] = o->distance * o->unit;
+    to->far[i] = o->distance;
+    to->radius[i] = o->radius;
+    to->power[i] = o->power;
 }
 
 /* One loop for each way of seeing: with a normal or without. */

@@ -2,8 +2,8 @@
 /*
  * Wavefronts of caps: a block of elements is seen in one loop, sorted by what the horizon leaves
  * of each, built and sampled in one loop per kind, and finished in loops over the block. What
- * has no loop (a receiver inside a sphere, both sides of a clipped light, area) is left to the
- * calls for one; so are errors. The lane functions are those of the calls for one, so the bits
+ * has no loop (a receiver inside a sphere, both sides of a clipped light) is left to the calls
+ * for one; so are errors. The lane functions are those of the calls for one, so the bits
  * are too. Template: see precision.h.
  */
 #if PSC_REAL_BITS == 64
@@ -175,7 +175,7 @@ static void FN(wave_densities)(const struct psc_wave *restrict wave, const struc
 }
 
 static void FN(wave_surfaces)(const struct psc_wave *wave, const struct views *o,
-                              const struct FN(psc_cap_points) *p, int distant,
+                              const struct FN(psc_cap_points) *p, int distant, int area,
                               struct FN(psc_results) *r)
 {
     const int cone = wave->measure != PSC_MEASURE_PROJECTED_SOLID_ANGLE;
@@ -206,11 +206,79 @@ static void FN(wave_surfaces)(const struct psc_wave *wave, const struct views *o
             w.distance = (real)INFINITY;
         for (c = 0; c < 3; c++)
             w.center[c] = (real)wave->geometry[c][i];
-        FN(cap_surface)(&w, direction, p->x[i], p->y[i], p->z[i],
-                        FN(cap_depth)(&w, p->height[i], p->power[i], p->across[i]), point, normal,
-                        &distance);
+        if (area)
+            FN(area_surface)(&w, p->x[i], p->y[i], p->power[i], p->across[i], point, normal,
+                             &distance);
+        else
+            FN(cap_surface)(&w, direction, p->x[i], p->y[i], p->z[i],
+                            FN(cap_depth)(&w, p->height[i], p->power[i], p->across[i]), point,
+                            normal, &distance);
         FN(store_surface)(r, i, point, normal, distance, K(0.0), K(0.0));
     }
+}
+
+/* ---- Area ---- */
+
+#define AREA_WAVE(lane, concentric)                                                            \
+    static void FN(wave_##lane)(const struct psc_wave *restrict wave,                          \
+                                const struct views *restrict o, const real *restrict u,        \
+                                const real *restrict v,                                        \
+                                struct FN(psc_cap_points) *restrict to,                        \
+                                double *restrict total)                                        \
+    {                                                                                          \
+        const int visible = wave->measure == PSC_MEASURE_VISIBLE_AREA;                         \
+        const size_t n = wave->count;                                                          \
+        size_t i;                                                                              \
+                                                                                               \
+        for (i = 0; i < n; i++) {                                                              \
+            const double radius = wave->geometry[3][i];                                        \
+            struct FN(psc_point) p;                                                            \
+            struct psc_lobe_f64 l;                                                             \
+            real pdf, inverse;                                                                 \
+                                                                                               \
+            l.sin_b = o->sin_b[i];                                                             \
+            l.cos_b = o->cos_b[i];                                                             \
+            area_build(&l, o->far[i], o->radius[i], o->power[i], visible);                     \
+            FN(area_lane)(concentric, &l, u[i], v[i], &p, &pdf, &inverse);                     \
+            CAP_STORE(to, i, p);                                                               \
+            to->pdf[i] = pdf;                                                                  \
+            to->inverse[i] = inverse;                                                          \
+            total[i] = l.total_area * (radius * radius);                                       \
+        }                                                                                      \
+    }
+AREA_WAVE(radial_area, 0)
+AREA_WAVE(concentric_area, 1)
+#undef AREA_WAVE
+
+typedef void (*FN(area_wave))(const struct psc_wave *, const struct views *, const real *,
+                              const real *, struct FN(psc_cap_points) *, double *);
+static const FN(area_wave) FN(area_waves)[] = {FN(wave_radial_area), FN(wave_concentric_area)};
+
+/* All elements in their places: those that are empty or pending give numbers that no one reads. */
+static void FN(wave_areas)(const struct psc_wave *wave, const struct views *o, const real *u,
+                           const real *v, struct FN(psc_results) *r)
+{
+    struct FN(psc_cap_points) points;
+    struct FN(psc_cap_world) w;
+    double total[PSC_BLOCK];
+    size_t i;
+
+    FN(area_waves)[wave->map != PSC_MAP_RADIAL](wave, o, u, v, &points, total);
+    FN(wave_cone_directions)(wave, o, &points, r);
+    w.facing = wave->facing;
+    for (i = 0; i < wave->count; i++) {
+        real weight;
+        const psc_result status =
+            FN(area_density)(&w, points.height[i], points.inverse[i], &weight);
+
+        r->value[PSC_PDF][i] = points.pdf[i];
+        r->value[PSC_WEIGHT][i] = weight;
+        r->status[i] = o->kind[i] == KIND_PENDING                      ? PSC_PENDING
+                       : o->kind[i] == KIND_EMPTY || !(total[i] > 0.0) ? PSC_EMPTY
+                                                                       : status;
+    }
+    if (wave->surface)
+        FN(wave_surfaces)(wave, o, &points, 0, 1, r);
 }
 
 /* Everything after seeing. */
@@ -223,6 +291,10 @@ static void FN(wave_views)(const struct psc_wave *wave, const struct views *o, c
     double total[PSC_BLOCK], rise[PSC_BLOCK];
     int kind;
 
+    if (is_area_measure(wave->measure)) {
+        FN(wave_areas)(wave, o, u, v, r);
+        return;
+    }
     for (i = 0; i < wave->count; i++) {
         const int32_t k = o->kind[i];
 
@@ -248,18 +320,7 @@ static void FN(wave_views)(const struct psc_wave *wave, const struct views *o, c
         FN(wave_cone_directions)(wave, o, &points, r);
     FN(wave_densities)(wave, o, &points, total, rise, r);
     if (wave->surface)
-        FN(wave_surfaces)(wave, o, &points, distant, r);
-}
-
-/* Leaves a block to the calls for one. */
-static int FN(wave_declined)(const struct psc_wave *wave, struct FN(psc_results) *r)
-{
-    const int declined = is_area_measure(wave->measure);
-    size_t i;
-
-    for (i = 0; declined && i < wave->count; i++)
-        r->status[i] = PSC_PENDING;
-    return declined;
+        FN(wave_surfaces)(wave, o, &points, distant, 0, r);
 }
 
 static void FN(sphere_wave)(const struct psc_wave *wave, const real *u, const real *v,
@@ -267,8 +328,6 @@ static void FN(sphere_wave)(const struct psc_wave *wave, const real *u, const re
 {
     struct views o;
 
-    if (FN(wave_declined)(wave, r))
-        return;
     if (wave->facing == PSC_FACING_NONE)
         see_spheres_around(wave, &o);
     else
@@ -281,8 +340,6 @@ static void FN(distant_wave)(const struct psc_wave *wave, const real *u, const r
 {
     struct views o;
 
-    if (FN(wave_declined)(wave, r))
-        return;
     if (wave->facing == PSC_FACING_NONE)
         see_caps_around(wave, &o);
     else

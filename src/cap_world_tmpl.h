@@ -23,29 +23,50 @@ PSC_LANE void FN(cap_vector)(const double from[3], real to[3])
     to[2] = (real)from[2];
 }
 
-PSC_LANE void FN(cap_world)(const psc_sampler *s, const struct psc_side *side,
-                            struct FN(psc_cap_world) *w)
+PSC_LANE void FN(cap_frame)(const struct psc_side *side, struct FN(psc_cap_world) *w)
 {
     FN(cap_vector)(side->x, w->x);
     FN(cap_vector)(side->y, w->y);
     FN(cap_vector)(side->z, w->z);
     FN(cap_vector)(side->axis, w->axis);
-    FN(cap_vector)(s->cap.center, w->center);
-    FN(cap_vector)(s->cap.offset, w->offset);
+}
+
+/* What densities need. */
+PSC_LANE void FN(cap_measure)(const psc_sampler *s, const struct psc_side *side,
+                              struct FN(psc_cap_world) *w)
+{
+    w->total = (real)s->total;
+    w->rise = (real)side->lobe.rise;
+    w->inverse_total = (real)(s->inverse_total * unit_inverse(side->lobe.rise));
+    w->facing = s->facing;
+    w->projected = s->projected;
+}
+
+/* What hits need. */
+PSC_LANE void FN(cap_body)(const psc_sampler *s, const struct psc_side *side,
+                           struct FN(psc_cap_world) *w)
+{
     w->sin_a = (real)side->lobe.sin_a;
     w->cos_a = (real)side->lobe.cos_a;
     w->h0 = (real)side->lobe.h0;
     w->sin_b = (real)side->lobe.sin_b;
     w->radius = (real)s->cap.radius;
     w->distance = (real)s->cap.distance;
-    w->slack = (real)s->cap.slack;
-    w->total = (real)s->total;
-    w->rise = (real)side->lobe.rise;
-    w->inverse_total = (real)(s->inverse_total * unit_inverse(side->lobe.rise));
-    w->facing = s->facing;
-    w->projected = s->projected;
     w->inside = s->cap.inside;
     w->distant = s->cap.radius == 0.0;
+    FN(cap_vector)(s->cap.center, w->center);
+    if (w->inside) {
+        FN(cap_vector)(s->cap.offset, w->offset);
+        w->slack = (real)s->cap.slack;
+    }
+}
+
+PSC_LANE void FN(cap_world)(const psc_sampler *s, const struct psc_side *side,
+                            struct FN(psc_cap_world) *w)
+{
+    FN(cap_frame)(side, w);
+    FN(cap_measure)(s, side, w);
+    FN(cap_body)(s, side, w);
 }
 
 /* The cosine that counts; without a normal there is none, and 1 stands for it. */

@@ -144,15 +144,17 @@ PSC_LANE void radial_lune_f64(const struct psc_lobe_f64 *l, double s, double t,
 }
 
 /* What the last factor of the start value has to be for it to be exact at psi = share psi_l. */
-PSC_LANE double lune_fit(const struct psc_lobe_f64 *l, double share, double *w)
+PSC_LANE double lune_fit(const struct psc_lobe_f64 *l, double share, double per_total, double *w)
 {
     const double psi = share * l->psi_l, d = 1.0 - share;
-    double sine_defect, versine, w1;
+    double sine_defect, versine, w1, per_w;
 
     sine_cosine_defects_f64(psi, &sine_defect, &versine);
-    *w = lune_variable(l, 1.0 - lune_area(l, psi - sine_defect, versine) / l->total);
+    *w = lune_variable(l, 1.0 - lune_area(l, psi - sine_defect, versine) * per_total);
     w1 = 1.0 - *w;
-    return (((d / *w - l->a1) / *w - l->a2) / *w - l->e0 + w1 * (l->q1 - w1 * l->q2_fit)) /
+    per_w = 1.0 / *w;
+    return (((d * per_w - l->a1) * per_w - l->a2) * per_w - l->e0 +
+            w1 * (l->q1 - w1 * l->q2_fit)) /
            (w1 * w1 * w1);
 }
 
@@ -165,11 +167,11 @@ PSC_LANE double lune_fit(const struct psc_lobe_f64 *l, double share, double *w)
 PSC_LANE void radial_lune_build(struct psc_lobe_f64 *l, double q)
 {
     const double sb = -l->sin_b, k = l->k;
-    const double x = l->total * q / (l->sin_a * l->sin_a * k);
-    const double x_l = l->cos_a / l->cos_b, y_l = q / l->cos_b;
+    const double per_a2 = l->per_a * l->per_a, per_total = 1.0 / l->total, per_q = 1.0 / q;
+    const double per_psi = 1.0 / l->psi_l, x = l->total * q * per_a2 / k;
     const int thick = q >= l->cos_a * sb;
     const double layer = rough_cbrt(3.0 * x), width_thick = tip_layer(layer);
-    const double width = thick ? width_thick : layer, z = width * k / q;
+    const double width = thick ? width_thick : layer, z = width * k * per_q;
     double h1, h2, slope, bend, g, m0, d1, d2, fit0, fit1, w0, w1;
 
     tip_slopes(layer, &h1, &h2);
@@ -180,18 +182,19 @@ PSC_LANE void radial_lune_build(struct psc_lobe_f64 *l, double q)
     slope = thick ? slope : 1.0 / 3.0;
     bend = thick ? bend : -2.0 / 9.0;
 
-    g = 0.75 * (-x_l / y_l - l->x_e * y_l / (l->sin_a * l->sin_a));
-    l->a1 = z / l->psi_l;
-    l->a2 = -g * z * z / (3.0 * l->psi_l);
-    m0 = l->del * l->v0 * l->v0 / (k * k + l->v0 * l->v0) * l->psi_l / l->total;
+    /* With x_l = cos alpha / cos beta and y_l = q / cos beta, the place of the tip. */
+    g = -0.75 * (l->cos_a * per_q + l->x_e * (q * per_a2) / l->cos_b);
+    l->a1 = z * per_psi;
+    l->a2 = -g * z * l->a1 * (1.0 / 3.0);
+    m0 = l->del * l->v0 * l->v0 / (k * k + l->v0 * l->v0) * l->psi_l * per_total;
     d1 = 1.0 / (m0 * slope);
-    d2 = -d1 * bend / (slope * slope);
+    d2 = -bend * d1 * (m0 * d1 * (m0 * d1));
     l->e0 = 1.0 - l->a1 - l->a2;
     l->q1 = d1 - l->a1 - 2.0 * l->a2 - 3.0 * l->e0;
     l->q2_fit = 0.5 * (d2 - 2.0 * l->a2 - 6.0 * l->e0 - 6.0 * l->q1);
 
-    fit0 = lune_fit(l, 0.38, &w0);
-    fit1 = lune_fit(l, 0.73, &w1);
+    fit0 = lune_fit(l, 0.38, per_total, &w0);
+    fit1 = lune_fit(l, 0.73, per_total, &w1);
     l->f1 = (fit1 - fit0) / (w1 - w0);
     l->f0 = fit0 - l->f1 * w0;
 }

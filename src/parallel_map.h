@@ -61,9 +61,11 @@ PSC_LANE double chord_area(const struct psc_lobe_f64 *l, const struct chord *c)
     const double inverse = 1.0 / (d_psi * d_theta * meet);
     /* w_theta - w_psi = 2 (cos psi - cos theta) / (d_psi d_theta) */
     const double rise = 2.0 * (l->cos_a * l->cos_a) * s2 * inverse;
+    const double w_psi = s1 * (d_theta * meet * inverse);
+    const double w_theta = vt * (d_psi * meet * inverse);
     double n, dn;
 
-    n = segment(s1 * (d_theta * meet * inverse), vt * (d_psi * meet * inverse), &dn);
+    n = segment(w_psi, w_theta, &dn);
     return 2.0 * c->y * (c->length + (1.0 / 3.0) * (c->y * c->y) *
                                          (l->thickness * n + b * (dn * rise)));
 }
@@ -73,22 +75,21 @@ PSC_LANE void chord_slopes(const struct psc_lobe_f64 *l, int lune, const struct 
                            double *d, double *d1, double *d2)
 {
     const double sc = l->sin_a * c->cosine, cp = c->cos_psi + 1e-300, sb = ABS(l->sin_b);
-    const double steep = c->y / cp;
+    const double per_cp = 1.0 / cp, steep = c->y * per_cp;
     double e, f, ch1, ch2;
 
     if (lune) {
         double v = l->v0 - l->cos_b * (c->y * c->y / (1.0 + c->cos_psi));
-        const double inverse = 1.0 / (sc + sb * cp);
 
         v = MAX(v, 0.0);
-        e = v * (l->cos_b * cp + l->cos_a) * inverse;
+        e = v * (l->cos_b * cp + l->cos_a) / (sc + sb * cp);
         f = (l->cos_a * l->cos_a + l->cos_b * l->cos_b * (sc * sc)) / (cp + sb * sc);
     } else {
         e = sc + sb * cp;
         f = cp + sb * sc;
     }
     ch1 = -steep * e;
-    ch2 = steep * steep * f - sc / (cp * cp * cp) * e;
+    ch2 = steep * steep * f - sc * (per_cp * per_cp * per_cp) * e;
     *d = 2.0 * sc * c->length;
     *d1 = 2.0 * l->sin_a * (c->cosine * ch1 - c->sine * c->length);
     *d2 = 2.0 * l->sin_a * (c->cosine * (ch2 - c->length) - 2.0 * c->sine * ch1);
@@ -117,7 +118,7 @@ PSC_LANE struct chord chord_solve(const struct psc_lobe_f64 *l, int lune, double
     const double root = rough_cbrt(r * l->n * (l->mu + x0) / (l->lam + x0 + 1e-300));
     double x = root * (l->p0 + root * (l->p1 + root * l->p2));
     const double goal = u * l->total;
-    double f, d, d1, d2, h, a2, a3, limit;
+    double f, d, d1, d2, h, a2, a3, per_d, limit;
     struct chord c;
 
     c = chord_from_end(l, lune, x);
@@ -132,9 +133,10 @@ PSC_LANE struct chord chord_solve(const struct psc_lobe_f64 *l, int lune, double
     c = chord_from_end(l, lune, x);
     f = chord_area(l, &c) - goal;
     chord_slopes(l, lune, &c, &d, &d1, &d2);
-    a2 = 0.5 * d1 / d;
-    a3 = (1.0 / 6.0) * d2 / d;
-    h = -f / d;
+    per_d = 1.0 / d;
+    a2 = 0.5 * d1 * per_d;
+    a3 = (1.0 / 6.0) * d2 * per_d;
+    h = -f * per_d;
     limit = 0.1 * x;
     h = MIN(MAX(h, -limit), limit);
     h = h * (1.0 + h * (-a2 + h * (2.0 * a2 * a2 - a3)));
@@ -170,29 +172,30 @@ PSC_LANE void lune_chord_point(const struct psc_lobe_f64 *l, double u, double re
     clipped_chord_point(l, 1, &c, u, rest, side, p);
 }
 
-PSC_LANE void both_chord_point(const struct psc_lobe_f64 *l, double u, double rest, double r,
-                               double side, struct psc_point_f64 *p)
+PSC_LANE void whole_chord_point(const struct psc_lobe_f64 *l, double u, double rest, double r,
+                                double side, struct psc_point_f64 *p)
 {
-    const struct chord c = chord_solve(l, 0, 1.0 - r, r);
-    const int is_whole = r < l->whole;
     const double scaled = r * l->whole_scale;
-    struct psc_point_f64 whole;
     double sine, cosine, half, zl, zr;
 
-    clipped_chord_point(l, 0, &c, u, rest, side, p);
     solve_chord_f64(MIN(scaled, 1.0), &sine, &cosine);
     half = l->sin_a * l->sin_b * sine;
     zl = l->cos_a * l->sin_b + l->zc * sine;
     zr = l->cos_a * l->sin_b - l->zc * sine;
-    chord_point_f64(l, 0, -half, side * l->sin_a * cosine, 2.0 * half, zl, zr, u, rest,
-                    &whole);
-    whole_chord_power_f64(l, u, rest, sine, zl, zr, &whole);
-    p->x = is_whole ? whole.x : p->x;
-    p->y = is_whole ? whole.y : p->y;
-    p->z = is_whole ? whole.z : p->z;
-    p->height = is_whole ? whole.height : p->height;
-    p->power = is_whole ? whole.power : p->power;
-    p->across = is_whole ? whole.across : p->across;
+    chord_point_f64(l, 0, -half, side * l->sin_a * cosine, 2.0 * half, zl, zr, u, rest, p);
+    whole_chord_power_f64(l, u, rest, sine, zl, zr, p);
+}
+
+PSC_LANE void both_chord_point(const struct psc_lobe_f64 *l, double u, double rest, double r,
+                               double side, struct psc_point_f64 *p)
+{
+    if (r < l->whole) {
+        whole_chord_point(l, u, rest, r, side, p);
+    } else {
+        const struct chord c = chord_solve(l, 0, 1.0 - r, r);
+
+        clipped_chord_point(l, 0, &c, u, rest, side, p);
+    }
 }
 
 PSC_LANE void parallel_lune_f64(const struct psc_lobe_f64 *l, double u, double v,

@@ -47,7 +47,7 @@ PSC_LANE void ellipse_build(struct psc_lobe_f64 *l, const struct psc_cap *cap, d
 PSC_LANE double both_build(struct psc_lobe_f64 *l, const struct psc_cap *cap, double h0)
 {
     struct psc_cap c = *cap;
-    double q, ellipse, theta_l, psi2, sector;
+    double q, ellipse, theta_l, psi2, sector, per_total;
 
     c.sin_b = MAX(c.sin_b, 0.0);
     projected_base(l, &c, h0);
@@ -60,8 +60,9 @@ PSC_LANE double both_build(struct psc_lobe_f64 *l, const struct psc_cap *cap, do
     psi2 = l->psi_l * l->psi_l;
     sector = l->del * l->psi_l + l->x_e * (l->psi_l * psi2 * sine_polynomial_f64(psi2));
     l->total = sector + ellipse * (PSC_PI - theta_l);
-    l->circle = sector / l->total;
-    l->arc = ellipse * (PSC_PI - theta_l) / l->total;
+    per_total = 1.0 / l->total;
+    l->circle = sector * per_total;
+    l->arc = ellipse * (PSC_PI - theta_l) * per_total;
     return q;
 }
 
@@ -69,7 +70,7 @@ PSC_LANE double both_build(struct psc_lobe_f64 *l, const struct psc_cap *cap, do
    2/3 sin^3 psi_l (N(psi_l) (1 - |sin beta| / sin alpha) - ...). Returns sqrt(q2). */
 PSC_LANE double lune_build(struct psc_lobe_f64 *l, const struct psc_cap *cap, double h0)
 {
-    const double q = SQRT(cap->q2), sine = q / cap->cos_b;
+    const double q = SQRT(cap->q2), per_b = 1.0 / cap->cos_b, sine = q * per_b;
     struct chord tip;
 
     projected_base(l, cap, h0);
@@ -79,10 +80,10 @@ PSC_LANE double lune_build(struct psc_lobe_f64 *l, const struct psc_cap *cap, do
     l->psi_l = twice_atan(q / (l->cos_a + l->cos_b));
     l->k = -l->sin_a * l->sin_b;
     l->thickness = l->q2 / (l->sin_a * (l->sin_a - l->sin_b));
-    tip.sine = sine / l->sin_a;
-    tip.cosine = -l->sin_b * l->cos_a / (l->sin_a * l->cos_b);
+    tip.sine = sine * l->per_a;
+    tip.cosine = -l->sin_b * l->cos_a * (l->per_a * per_b);
     tip.y = sine;
-    tip.cos_psi = l->cos_a / l->cos_b;
+    tip.cos_psi = l->cos_a * per_b;
     tip.length = 0.0;
     l->total = chord_area(l, &tip);
     return q;
@@ -97,24 +98,27 @@ PSC_LANE void radial_both_build(struct psc_lobe_f64 *l)
     const double linear = l->del * psi_l, ellipse = l->sin_a * l->sin_a * l->sin_b;
     const double sector = linear + l->x_e * p_l;
     static const double nodes[2] = {0.45, 0.8};
-    double q[2], g[2];
+    double q[2], g[2], per_sector;
     int i;
 
+    per_sector = sector > 0.0 ? 1.0 / sector : 0.0;
     l->per_ellipse = ellipse > 0.0 ? l->total / ellipse : 0.0;
-    l->per_circle = l->circle > 0.0 ? 1.0 / l->circle : 0.0;
+    l->per_circle = l->total * per_sector;
     l->m = linear > 0.0 ? l->x_e * p_l / linear : 0.0;
     l->b1 = 0.0;
     l->c1 = 0.0;
     if (!(l->m >= 1e-12))
         return;
+    PSC_UNROLL
     for (i = 0; i < 2; i++) {
-        const double y = nodes[i], psi = y * psi_l, p = psi * psi * psi * sine_polynomial_f64(psi * psi);
-        const double sum = l->del * psi + l->x_e * p, share = sum / sector;
+        const double y = nodes[i], psi = y * psi_l;
+        const double p = psi * psi * psi * sine_polynomial_f64(psi * psi);
+        const double sum = l->del * psi + l->x_e * p, share = sum * per_sector;
 
         q[i] = share * share;
         g[i] = l->x_e * (y * p_l - p) / (sum * (1.0 - q[i]) * l->m);
     }
-    l->b1 = ((g[0] - 1.0) / q[0] - (g[1] - 1.0) / q[1]) / (g[1] - g[0]);
+    l->b1 = ((g[0] - 1.0) * q[1] - (g[1] - 1.0) * q[0]) / (q[0] * q[1] * (g[1] - g[0]));
     l->b1 = MIN(MAX(l->b1, 0.0), 3.0);
     l->c1 = (g[0] * (1.0 + l->b1 * q[0]) - 1.0) / q[0];
 }

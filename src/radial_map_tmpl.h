@@ -9,7 +9,7 @@
 PSC_LANE void FN(fold)(real t, real *u, real *r, real *side)
 {
     *u = ABS(K(2.0) * t - K(1.0));
-    *r = K(2.0) * MIN(t, K(1.0) - t);
+    *r = MIN(K(2.0) * t, K(2.0) - K(2.0) * t);
     *side = COPYSIGN(K(1.0), t - K(0.5));
 }
 
