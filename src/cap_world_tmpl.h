@@ -55,6 +55,7 @@ PSC_LANE void FN(cap_body)(const psc_sampler *s, const struct psc_side *side,
     w->inside = s->cap.inside;
     w->distant = s->cap.radius == 0.0;
     FN(cap_vector)(s->cap.center, w->center);
+    w->slack = K(0.0);
     if (w->inside) {
         FN(cap_vector)(s->cap.offset, w->offset);
         w->slack = (real)s->cap.slack;
