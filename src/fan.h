@@ -25,7 +25,6 @@
     X(height) X(height_a) X(height_c) /* of these above the receiver's plane */       \
     X(share_a) X(share_c) X(slant) /* from the frame to a / |a| and c / |c| */        \
     X(cos_ab) X(cos_bc)                                                               \
-    X(per_cos) /* 1 / cos_ab where a and b are in line or nearly so, else 0 */         \
     X(per_a) X(per_b) X(per_c) /* 1 / |a| and so on */
 
 /* The same triangle in world space: B, the edges to A and C, and the vertices' coordinates on the

@@ -23,25 +23,10 @@ PSC_LANE void cross_words(const struct psc_word2 *e, const struct psc_word2 *v, 
         to[i] += first[i] + second[i];
 }
 
-/* Of two vertices the nearer one: its product with the edge between them is theirs, and does not
-   lose it where the receiver is much closer to one of them. */
-PSC_LANE struct psc_word2 nearer(const struct psc_word2 *a, double length_a,
-                                 const struct psc_word2 *b, double length_b)
-{
-    struct psc_word2 v;
-    int i;
-
-    for (i = 0; i < 3; i++) {
-        v.high[i] = length_a < length_b ? a->high[i] : b->high[i];
-        v.low[i] = length_a < length_b ? a->low[i] : b->low[i];
-    }
-    return v;
-}
-
 /* The triangle as sine and cosine functions of it want it. */
 struct psc_triangle_view {
     double per_a, per_b, per_c;       /* 1 / length */
-    double ab[3], ac[3], bc[3];       /* a x b / (|a| |b|) and so on: as long as the sine */
+    double ab[3], ac[3];              /* a x b / (|a| |b|) and so on: as long as the sine */
     double cos_ab, cos_bc;
     double more_ab, less_ab, more_ac; /* 1 + cos and 1 - cos of sides, none of them cancelled */
     double sin_ab, sin_ac;
@@ -89,24 +74,12 @@ PSC_LANE void see_volume(const struct psc_word2 *v, const struct psc_word2 *seco
     o->twice_area = SQRT(dot(o->normal, o->normal));
 }
 
-/* Of the three edges the two shorter ones, in an order that turns as edge_c and edge_a do: the
-   product of a needle's long ones is all but lost. */
-PSC_LANE void short_edges(const struct psc_triangle_words *words, struct psc_word2 *second,
-                          struct psc_word2 *first)
-{
-    const double a2 = dot(words->edge_a.high, words->edge_a.high);
-    const double c2 = dot(words->edge_c.high, words->edge_c.high);
-    const double ac2 = dot(words->edge_ac.high, words->edge_ac.high);
-    const int no_a = (a2 > c2) & (a2 > ac2), no_c = !no_a & (c2 > ac2);
-    int i;
-
-    for (i = 0; i < 3; i++) {
-        second->high[i] = no_a | no_c ? words->edge_ac.high[i] : words->edge_c.high[i];
-        second->low[i] = no_a | no_c ? words->edge_ac.low[i] : words->edge_c.low[i];
-        first->high[i] = no_a ? words->edge_c.high[i] : words->edge_a.high[i];
-        first->low[i] = no_a ? words->edge_c.low[i] : words->edge_a.low[i];
-    }
-}
+/* Which of a triangle's vertices and edges its products are taken of. */
+struct psc_triangle_factors {
+    const struct psc_word2 *ab, *ac, *bc;    /* a or b, a or c, b or c: times the edge between them */
+    const struct psc_word2 *nearest;         /* a, b or c */
+    const struct psc_word2 *second, *first;  /* two edges, turning as edge_c and edge_a do */
+};
 
 /*
  * The solid angle [OS83]: tan(omega / 2) = N / D with N = |a . (b x c)| and, divided by |a| |b|
@@ -116,53 +89,105 @@ PSC_LANE void short_edges(const struct psc_triangle_words *words, struct psc_wor
  * to antipodal; then the same at B is taken. Errors are below 1e-15 of the result for
  * solid angles from the smallest number to 2 pi.
  */
-PSC_LANE void see_triangle(const struct psc_triangle_words *words, struct psc_triangle_view *o)
+PSC_LANE void see_by_factors(const struct psc_triangle_words *words,
+                             const struct psc_triangle_factors *by, struct psc_triangle_view *o)
 {
     const struct psc_word2 *const a = &words->a, *const b = &words->b, *const c = &words->c;
-    const double length_a = SQRT(dot(a->high, a->high));
-    const double length_b = SQRT(dot(b->high, b->high));
-    const double length_c = SQRT(dot(c->high, c->high));
-    struct psc_word2 near, second, first;
-    double cos_ac, sin2_ab, sin2_ac, sin2_bc, at_a, at_b;
+    double cos_ac, sin2_ab, sin2_ac, more, rest;
     int i, opposite, seen;
 
-    o->per_a = 1.0 / length_a;
-    o->per_b = 1.0 / length_b;
-    o->per_c = 1.0 / length_c;
-    near = nearer(a, length_a, c, length_c);
-    cross_words(&near, &words->edge_ac, o->ac);
-    near = nearer(b, length_b, c, length_c);
-    cross_words(&near, &words->edge_c, o->bc);
-    near = nearer(a, length_a, b, length_b);
-    cross_words(&words->edge_a, &near, o->ab);
-    near = nearer(&near, MIN(length_a, length_b), c, length_c);
+    cross_words(&words->edge_a, by->ab, o->ab);
+    cross_words(by->ac, &words->edge_ac, o->ac);
     for (i = 0; i < 3; i++) {
         o->ab[i] *= o->per_a * o->per_b;
         o->ac[i] *= o->per_a * o->per_c;
-        o->bc[i] *= o->per_b * o->per_c;
     }
     sin2_ab = dot(o->ab, o->ab);
     sin2_ac = dot(o->ac, o->ac);
-    sin2_bc = dot(o->bc, o->bc);
     o->sin_ab = SQRT(sin2_ab);
     o->sin_ac = SQRT(sin2_ac);
     o->cos_ab = dot(a->high, b->high) * (o->per_a * o->per_b);
     cos_ac = dot(a->high, c->high) * (o->per_a * o->per_c);
     o->cos_bc = dot(b->high, c->high) * (o->per_b * o->per_c);
-    o->more_ab = one_plus(o->cos_ab, sin2_ab);
-    o->less_ab = one_plus(-o->cos_ab, sin2_ab);
+    more = 1.0 + ABS(o->cos_ab);
+    rest = sin2_ab / more;
+    o->more_ab = o->cos_ab >= 0.0 ? more : rest;
+    o->less_ab = o->cos_ab >= 0.0 ? rest : more;
 
-    short_edges(words, &second, &first);
-    see_volume(&near, &second, &first, o);
+    see_volume(by->nearest, by->second, by->first, o);
     o->sine = ABS(o->volume) * o->per_a * o->per_b * o->per_c;
     o->more_ac = one_plus(cos_ac, sin2_ac);
-    at_a = o->more_ab * o->more_ac + dot(o->ab, o->ac);
-    at_b = o->more_ab * one_plus(o->cos_bc, sin2_bc) - dot(o->ab, o->bc);
+    o->cosine = o->more_ab * o->more_ac + dot(o->ab, o->ac);
     opposite = (o->cos_bc < 0.0) & (o->cos_bc < o->cos_ab) & (o->cos_bc < cos_ac);
-    o->cosine = opposite ? at_b : at_a;
+    if (opposite) {
+        double bc[3];
+
+        cross_words(by->bc, &words->edge_c, bc);
+        for (i = 0; i < 3; i++)
+            bc[i] *= o->per_b * o->per_c;
+        o->cosine = o->more_ab * one_plus(o->cos_bc, dot(bc, bc)) - dot(o->ab, bc);
+    }
     /* In the plane, or at a vertex, where lengths are 0 and the quotients no numbers. */
     seen = (o->sine > 0.0) & (o->sin_ab > 0.0) & (o->sin_ac > 0.0) & (o->sine <= DBL_MAX);
     o->half = angle_and_rest(seen ? o->cosine : 1.0, seen ? o->sine : 0.0, &o->rest);
+}
+
+/* Lengths; whether some are so much larger than others that it matters of which of them the
+   products are. */
+PSC_LANE int see_lengths(const struct psc_triangle_words *words, struct psc_triangle_view *o)
+{
+    const double a2 = dot(words->a.high, words->a.high), b2 = dot(words->b.high, words->b.high);
+    const double c2 = dot(words->c.high, words->c.high);
+    const double ab2 = dot(words->edge_a.high, words->edge_a.high);
+    const double bc2 = dot(words->edge_c.high, words->edge_c.high);
+    const double ac2 = dot(words->edge_ac.high, words->edge_ac.high);
+    const double nearer = MIN(a2, b2), nearest = MIN(nearer, c2);
+    const double longer = MAX(ab2, bc2), farther = MAX(a2, b2), farthest = MAX(farther, c2);
+
+    o->per_a = 1.0 / SQRT(a2);
+    o->per_b = 1.0 / SQRT(b2);
+    o->per_c = 1.0 / SQRT(c2);
+    return (nearest < 0x1p-40 * farthest) | (ac2 < 0x1p-16 * longer);
+}
+
+PSC_LANE void see_ordinary_triangle(const struct psc_triangle_words *words,
+                                    struct psc_triangle_view *o)
+{
+    const struct psc_triangle_factors by = {&words->b, &words->a,      &words->b,
+                                            &words->b, &words->edge_c, &words->edge_a};
+
+    see_by_factors(words, &by, o);
+}
+
+/* Of two vertices the product of the edge between them with the nearer one is theirs, and is not
+   lost where the receiver is much closer to that; of a needle's edges the long ones' product is
+   all but lost. */
+static void see_extreme_triangle(const struct psc_triangle_words *words,
+                                 struct psc_triangle_view *o)
+{
+    const double ab2 = dot(words->edge_a.high, words->edge_a.high);
+    const double bc2 = dot(words->edge_c.high, words->edge_c.high);
+    struct psc_triangle_factors by;
+
+    by.ab = o->per_a > o->per_b ? &words->a : &words->b;
+    by.ac = o->per_c > o->per_a ? &words->c : &words->a;
+    by.bc = o->per_b > o->per_c ? &words->b : &words->c;
+    by.nearest = o->per_c > MAX(o->per_a, o->per_b) ? &words->c : by.ab;
+    by.second = &words->edge_ac;
+    by.first = ab2 > bc2 ? &words->edge_c : &words->edge_a;
+    if (dot(words->edge_ac.high, words->edge_ac.high) >= MAX(ab2, bc2)) {
+        by.second = &words->edge_c;
+        by.first = &words->edge_a;
+    }
+    see_by_factors(words, &by, o);
+}
+
+PSC_LANE void see_triangle(const struct psc_triangle_words *words, struct psc_triangle_view *o)
+{
+    if (see_lengths(words, o))
+        see_extreme_triangle(words, o);
+    else
+        see_ordinary_triangle(words, o);
 }
 
 /* The constants of the map; heights of the vertices are above the receiver's plane. */
@@ -205,7 +230,6 @@ PSC_LANE void fan_build(const struct psc_triangle_view *o, const struct psc_word
     f->slant = dot(edge_c->high, f->toward_a) * o->per_c;
     f->cos_ab = o->cos_ab;
     f->cos_bc = o->cos_bc;
-    f->per_cos = ABS(o->cos_ab) > 0.5 ? 1.0 / o->cos_ab : 0.0;
     f->per_a = o->per_a;
     f->per_b = o->per_b;
     f->per_c = o->per_c;

@@ -94,7 +94,7 @@ PSC_LANE void FN(fan_hit)(const struct FN(psc_fan) *f, const struct FN(psc_spot)
     const real c = FN(fan_share)(p->c * f->share_c);
     const real first = FN(fan_share)((p->a - c * f->slant) * f->share_a);
     const real rest = p->b - first * f->cos_ab - c * f->cos_bc;
-    const real a = FN(fan_share)(first + MIN(rest, K(0.0)) * f->per_cos);
+    const real a = FN(fan_share)(first + MIN(rest, K(0.0)) * f->cos_ab);
     const real to_a = FN(fan_share)(a * f->per_a);
     const real to_b = FN(fan_share)(rest * f->per_b);
     const real to_c = FN(fan_share)(c * f->per_c);

@@ -31,12 +31,13 @@ PSC_LANE void FN(build_element)(const struct psc_wave *wave, int has_normal, siz
     struct psc_fan_f64 wide;
     struct FN(psc_fan) fan;
     double up[3], height[3], length, total, finite;
-    int c, fit, hidden;
+    int c, fit, hidden, extreme;
 
     fit = see_polygon(position, 3, vertices, &view);
     see_horizon(has_normal ? normal : NULL, &view, up, height);
     triangle_words(&view, vertices, 0, 1, 2, &words);
-    see_triangle(&words, &seen);
+    extreme = see_lengths(&words, &seen);
+    see_ordinary_triangle(&words, &seen);
     fan_build(&seen, &words.b, &words.edge_c, up, height[1], &wide);
     total = 2.0 * seen.half;
     /* A NaN fails every comparison, infinity times 0 is one. */
@@ -44,6 +45,7 @@ PSC_LANE void FN(build_element)(const struct psc_wave *wave, int has_normal, siz
              (dot(vertices + 3, vertices + 3) + dot(vertices + 6, vertices + 6));
     fit &= (finite * 0.0 + dot(normal, normal) * 0.0 == 0.0) & (total > 0.0);
     fit &= !has_normal | (largest(normal) > 0.0);
+    fit &= !extreme;
     hidden = (wave->facing == PSC_FACING_ONE) & !(height[0] > 0.0) & !(height[1] > 0.0) &
              !(height[2] > 0.0);
     hidden |= wave->one_sided & (seen.volume > 0.0);
