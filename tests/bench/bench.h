@@ -15,7 +15,8 @@
 /* ---- The lights that are sampled: stage.c, cornell.c ---- */
 
 /* Shapes that are compared with each other and share their rivals. */
-enum family { FAMILY_SPHERE, FAMILY_DISK, FAMILY_TRIANGLE, FAMILY_RECTANGLE, FAMILIES };
+enum family { FAMILY_SPHERE, FAMILY_DISK, FAMILY_TRIANGLE, FAMILY_RECTANGLE, FAMILY_POLYGON,
+              FAMILIES };
 
 extern const struct bench_family {
     const char *shape; /* as the table of shapes calls it */
@@ -33,6 +34,7 @@ enum {
     CASE_DISK, CASE_DISK_SMALL, CASE_DISK_WIDE, CASE_DISK_CUT,
     CASE_TRIANGLE, CASE_TRIANGLE_SMALL, CASE_TRIANGLE_WIDE, CASE_TRIANGLE_CUT,
     CASE_RECTANGLE, CASE_RECTANGLE_SMALL, CASE_RECTANGLE_WIDE, CASE_RECTANGLE_CUT,
+    CASE_POLYGON, CASE_POLYGON_SMALL, CASE_POLYGON_WIDE, CASE_POLYGON_CUT,
     CASES
 };
 
@@ -42,7 +44,7 @@ extern const struct bench_case {
     double alpha, beta;
 } bench_cases[CASES];
 
-enum { STAGE_MANY = 1024, STAGE_MAX = 4096, LIGHT_MAX = 12 };
+enum { STAGE_MANY = 1024, STAGE_MAX = 4096, LIGHT_MAX = 15 };
 
 /* Elements in separate arrays, not a power of two apart. */
 #define STAGE(bits, type)                                                         \

@@ -88,6 +88,7 @@ static void add_rivals(enum regime regime)
         {FAMILY_DISK, "radial", "table", run_disk_table_f64, NULL},
         {FAMILY_TRIANGLE, "Arvo", "paper", run_triangle_arvo_f64, run_triangle_arvo_f32},
         {FAMILY_RECTANGLE, "UFK", "paper", run_rectangle_ufk_f64, run_rectangle_ufk_f32},
+        {FAMILY_POLYGON, "Arvo", "paper", run_pentagon_arvo_f64, run_pentagon_arvo_f32},
     };
     size_t i;
 

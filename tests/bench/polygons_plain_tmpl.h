@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Triangles and rectangles as the papers print them and renderers write them, with the angles of
- * libm. Template: see real.h; after vectors_tmpl.h.
+ * Triangles, fans of them and rectangles as the papers print them and renderers write them, with
+ * the angles of libm. Template: see real.h; after vectors_tmpl.h.
  *
  * Triangles: J. Arvo: Stratified sampling of spherical triangles. SIGGRAPH 1995.
  * Rectangles: C. Ureña, M. Fajardo, A. King: An area-preserving parametrization for spherical
@@ -93,6 +93,45 @@ static inline void FN(triangle_sample)(const struct FN(triangle) *t, real u, rea
     for (i = 0; i < 3; i++)
         direction[i] = z * t->b[i] + sqrt(MAX(R(0), R(1) - z * z)) * side[i];
     *pdf = R(1) / t->area;
+}
+
+/* ---- Pentagons: fans of triangles ---- */
+
+struct FN(pentagon) {
+    struct FN(triangle) triangle[3];
+    real below[3], area;
+};
+
+/* light: the vertices */
+static inline int FN(pentagon_build)(struct FN(pentagon) *p, const real position[3],
+                                     const real normal[3], const real *light)
+{
+    real corners[9];
+    int i, c;
+
+    p->area = R(0);
+    for (i = 0; i < 3; i++) {
+        for (c = 0; c < 3; c++) {
+            corners[c] = light[3 * (i + 1) + c];
+            corners[3 + c] = light[c];
+            corners[6 + c] = light[3 * (i + 2) + c];
+        }
+        FN(triangle_build)(&p->triangle[i], position, normal, corners);
+        p->below[i] = p->area;
+        p->area += p->triangle[i].area;
+    }
+    return 1;
+}
+
+static inline void FN(pentagon_sample)(const struct FN(pentagon) *p, real u, real v,
+                                       real direction[3], real *pdf)
+{
+    const real at = u * p->area;
+    const int i = (at >= p->below[1]) + (at >= p->below[2]);
+    const struct FN(triangle) *t = &p->triangle[i];
+
+    FN(triangle_sample)(t, MIN((at - p->below[i]) / t->area, R(1)), v, direction, pdf);
+    *pdf = R(1) / p->area;
 }
 
 /* ---- Rectangles ---- */

@@ -11,6 +11,7 @@ const struct bench_family bench_families[FAMILIES] = {
     {"disk", "area, concentric", "calls", "area sampling, concentric"},
     {"triangle", "area, radial", "calls", "area sampling"},
     {"rectangle", "area, parallel", "calls", "area sampling"},
+    {"5-gon", "area, radial", "calls", "area sampling"},
 };
 
 #define FLAT(family, name)                                                                      \
@@ -31,6 +32,7 @@ const struct bench_case bench_cases[CASES] = {
     FLAT(FAMILY_DISK, "disk"),
     FLAT(FAMILY_TRIANGLE, "tri"),
     FLAT(FAMILY_RECTANGLE, "rect"),
+    FLAT(FAMILY_POLYGON, "pent"),
 };
 
 struct stage_f32 stages_f32[CASES];
