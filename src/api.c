@@ -64,6 +64,9 @@ static const psc_api_1 api = {
     psc_triangle_solid_angle,
     psc_rectangle_solid_angle,
     psc_polygon_solid_angle,
+    psc_disk_form_factor,
+    psc_ellipse_form_factor,
+    psc_ellipsoid_form_factor,
     psc_table_size,
     psc_table_init,
 };

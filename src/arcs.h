@@ -15,6 +15,12 @@
 psc_result psc_build_ellipse_arcs(psc_sampler *sampler, const psc_technique *technique,
                                   double alpha, double beta);
 
+/* The same by projected solid angle, for a receiver whose normal lies over the axis and `upwards`
+   (any length) in the xy plane: planes through the line across both cut the cone in fibres, of
+   which the highest, or the lowest, is the angle gap above the horizon. */
+psc_result psc_build_ellipse_above(psc_sampler *sampler, double alpha, double beta,
+                                   const double upwards[2], int lower, double gap);
+
 /* The sample of psc_sample_f64(), as direction minus axis in the frame of the cone: accurate
    relative to the sines of the semi-arcs. */
 void psc_sample_cone_offset_f64(const psc_sampler *sampler, double u, double v, double offset[3]);

@@ -5,7 +5,7 @@
 static const char geometry[] = "vvs"; /* center, normal, radius */
 
 const struct psc_shape_row psc_shape_disk = {
-    PSC_SHAPE_DISK, PSC_KERNEL_DISK, {31, 0, 7, 0}, psc_disk_whole_solid_angle,
+    PSC_SHAPE_DISK, PSC_KERNEL_DISK, {31, 2, 7, 0}, psc_disk_whole_solid_angle,
     psc_disk_projected_solid_angle, psc_disk_area, psc_disk_pdf, psc_disk_invert};
 
 psc_result psc_build_disk(psc_sampler *sampler, const psc_technique *technique,
@@ -45,4 +45,12 @@ psc_result psc_disk_solid_angle(const double position[3], const double center[3]
     const double *const parts[] = {center, normal, &radius};
 
     return psc_disk_ask_solid_angle(&psc_shape_disk, geometry, position, parts, solid_angle);
+}
+
+psc_result psc_disk_form_factor(const psc_receiver *receiver, const double center[3],
+                                 const double normal[3], double radius, double *form_factor)
+{
+    const double *const parts[] = {center, normal, &radius};
+
+    return psc_disk_ask_form_factor(&psc_shape_disk, geometry, receiver, parts, form_factor);
 }

@@ -5,8 +5,8 @@
 
 #include <math.h>
 
+#include "disk_horizon.h"
 #include "disk_table.h"
-#include "ellipse_view.h"
 #include "sampler.h"
 
 #include "ellipse_fit_tmpl.h"
@@ -17,6 +17,8 @@
 #undef PSC_BITS
 #define PSC_BITS 64
 #include "precision.h"
+
+#include "fibre_build.h"
 
 #define RULE_AT_LEAST(i, m, steps, least) quotient >= (least) ? (i) :
 static inline int rule_f64(double ca, double cb)
@@ -150,6 +152,32 @@ static inline void disk_head(psc_sampler *s, const psc_table *table)
     d->rule_f32 = rule_f32(d->seen.ca, d->seen.cb);
 }
 
+/* The fibres above the horizon, and below it where the receiver is lit on both sides. From inside
+   the cone is the hemisphere above, and below its mirror image. */
+static inline psc_result fibre_sides(psc_sampler *s)
+{
+    struct psc_disk_light *d = &s->disk;
+    const struct psc_horizon *h = &d->horizon;
+    const struct psc_horizon below = {-h->x, -h->y, -h->z, h->margin};
+
+    memcpy(d->axis, d->seen.z, sizeof d->axis);
+    d->map = PSC_DISK_FIBRES;
+    s->sides = fibres_build(d->fibres, &d->seen, h);
+    s->total = s->sides ? d->fibres[0].total : 0.0;
+    s->split = 1.0;
+    if (s->facing == PSC_FACING_BOTH) {
+        const double above = s->total;
+        struct psc_fibres *second = d->fibres + s->sides;
+
+        if (fibres_build(second, &d->seen, d->inside ? h : &below)) {
+            s->sides++;
+            s->total += second->total;
+            s->split = above / s->total;
+        }
+    }
+    return s->sides > 0 ? PSC_SUCCESS : PSC_EMPTY;
+}
+
 /* What samples by solid angle need beyond that. */
 static inline void disk_fit(psc_sampler *s)
 {
@@ -249,6 +277,10 @@ static inline psc_result disk_see(psc_sampler *s, const struct psc_request *requ
     seen = see_disk(offset, normal, radius * scale, axes, &o, &facing);
     if (!seen || (request->one_sided && facing > 0.0))
         return PSC_EMPTY;
+    if (request->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE) {
+        scale_to_one(request->normal, high);
+        disk_horizon(offset, normal, radius * scale, &o, high, &d->horizon);
+    }
     cross_rounded(axes[0], axes[1], d->normal);
     for (k = 0; k < 2; k++)
         for (i = 0; i < 3; i++)
@@ -298,8 +330,23 @@ static inline psc_result elliptical_see(psc_sampler *s, const struct psc_request
     if (det.high == 0.0 || (request->one_sided && det.high > 0.0) ||
         !see_elliptical(axes[0], axes[1], high, det.high, &o))
         return PSC_EMPTY;
+    if (request->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE) {
+        scale_to_one(request->normal, high);
+        light_horizon(&o, high, (const struct psc_wide(*)[3])wide, 2, NULL, offset, 1.0, &d->horizon);
+    }
     memcpy(d->center, geometry, sizeof d->center);
     return flat_see(s, request, offset, (const double(*)[3])axes, scale, &o);
+}
+
+/* The half space around a unit vector. */
+static inline void half_space(const double z[3], struct psc_ellipse *e)
+{
+    e->a = e->b = 1.0;
+    e->ca = e->cb = 0.0;
+    e->at = e->bt = (double)INFINITY;
+    memcpy(e->z, z, sizeof e->z);
+    perpendicular(e->z, e->x);
+    cross_rounded(e->z, e->x, e->y);
 }
 
 /* The first two of three vectors in the directions of q_x and q_y. */
@@ -392,6 +439,11 @@ static inline psc_result ellipsoid_see(psc_sampler *s, const struct psc_request 
                                                {0.0, 0.0, 1.0}};
 
         d->seen = all;
+        if (request->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE) {
+            half_space(d->receiver, &d->seen);
+            horizon_of_frame(&d->seen, d->receiver, 1.0, &d->horizon);
+            d->horizon.margin = -1.0;
+        }
         d->beyond = -d->beyond;
         memcpy(d->offset, center, sizeof center);
     } else {
@@ -406,14 +458,16 @@ static inline psc_result ellipsoid_see(psc_sampler *s, const struct psc_request 
         if (!(outer > 0.0)) {
             /* On the surface: the half space on the inner side of its tangent plane. */
             memset(&o, 0, sizeof o);
-            o.seen.a = o.seen.b = 1.0;
-            o.seen.at = o.seen.bt = (double)INFINITY;
             length = 1.0 / SQRT(dot(d->inverse[2], d->inverse[2]));
             for (i = 0; i < 3; i++)
-                o.seen.z[i] = d->inverse[2][i] * length;
-            perpendicular(o.seen.z, o.seen.x);
-            cross_rounded(o.seen.z, o.seen.x, o.seen.y);
+                high[i] = d->inverse[2][i] * length;
+            half_space(high, &o.seen);
             o.near = o.far = o.turn[0] = o.side[0][0] = o.side[1][1] = 1.0;
+        }
+        if (request->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE) {
+            scale_to_one(request->normal, high);
+            light_horizon(&o, high, (const struct psc_wide(*)[3])e, 3, (const double(*)[3])f, offset,
+                          kappa, &d->horizon);
         }
         for (k = 0; k < 2; k++)
             for (i = 0; i < 3; i++)
@@ -428,22 +482,35 @@ static inline psc_result ellipsoid_see(psc_sampler *s, const struct psc_request 
     return PSC_SUCCESS;
 }
 
+static inline void keep_given(struct psc_disk_light *d, const struct psc_request *request,
+                              const double *geometry, int numbers)
+{
+    memcpy(d->given_position, request->position, sizeof d->given_position);
+    memcpy(d->given_normal, request->normal, sizeof d->given_normal);
+    d->numbers = numbers;
+    memcpy(d->given, geometry, (size_t)numbers * sizeof *geometry);
+}
+
 /* The public builds: all of the above. */
-#define DISK_BUILD(name)                                                                        \
+#define DISK_BUILD(name, numbers)                                                               \
     static inline psc_result name##_build(psc_sampler *s, const struct psc_request *request,    \
                                           const double *geometry)                               \
     {                                                                                           \
         const psc_result result = name##_see(s, request, geometry);                             \
                                                                                                 \
+        if (request->normal)                                                                    \
+            keep_given(&s->disk, request, geometry, numbers);                                   \
+        if (result == PSC_SUCCESS && s->projected)                                              \
+            return fibre_sides(s);                                                              \
         if (result == PSC_SUCCESS) {                                                            \
             disk_head(s, request->table);                                                       \
             disk_fit(s);                                                                        \
         }                                                                                       \
         return result;                                                                          \
     }
-DISK_BUILD(disk)
-DISK_BUILD(elliptical)
-DISK_BUILD(ellipsoid)
+DISK_BUILD(disk, 7)
+DISK_BUILD(elliptical, 9)
+DISK_BUILD(ellipsoid, PSC_DISK_NUMBERS)
 #undef DISK_BUILD
 
 #endif

@@ -2,6 +2,7 @@
 /* The kernels of lights that are seen as an elliptic cone. */
 #include "disk_build.h"
 #include "disk_solve.h"
+#include "fibre_solve.h"
 #include "kernel_tmpl.h"
 
 #if PSC_REAL_BITS == 32
@@ -16,8 +17,9 @@
 #include "results_tmpl.h"
 #include "sides_tmpl.h"
 #include "disk_kernel_tmpl.h"
+#include "fibre_kernel_tmpl.h"
 #include "disk_wave_tmpl.h"
 
-PSC_KERNEL(disk, FN(disk_sample), FN(disk_sample_n), FN(disk_wave), disk_build, NULL, NULL);
-PSC_KERNEL(ellipse, FN(disk_sample), FN(disk_sample_n), FN(elliptical_wave), elliptical_build, NULL, NULL);
-PSC_KERNEL(ellipsoid, FN(disk_sample), FN(disk_sample_n), FN(ellipsoid_wave), ellipsoid_build, NULL, NULL);
+PSC_KERNEL(disk, FN(cone_sample), FN(cone_sample_n), FN(disk_wave), disk_build, NULL, NULL);
+PSC_KERNEL(ellipse, FN(cone_sample), FN(cone_sample_n), FN(elliptical_wave), elliptical_build, NULL, NULL);
+PSC_KERNEL(ellipsoid, FN(cone_sample), FN(cone_sample_n), FN(ellipsoid_wave), ellipsoid_build, NULL, NULL);

@@ -2,6 +2,7 @@
 #include "disk_light.h"
 
 #include "disk_solve.h"
+#include "fibre_solve.h"
 #include "segment.h"
 #include "square.h"
 #include "vector.h"
@@ -16,10 +17,32 @@ psc_result psc_disk_whole_solid_angle(const psc_sampler *s, double *value)
     return *value > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
 }
 
+/* Of a sampler by another measure: by a build of what it was built from. */
 psc_result psc_disk_projected_solid_angle(const psc_sampler *s, double *value)
 {
-    (void)value;
-    return s->facing == PSC_FACING_NONE ? PSC_ERROR_NEEDS_NORMAL : PSC_ERROR_UNSUPPORTED_TECHNIQUE;
+    const struct psc_disk_light *d = &s->disk;
+    psc_sampler_storage storage;
+    struct psc_request request;
+    psc_sampler *other;
+    psc_result result;
+
+    if (s->facing == PSC_FACING_NONE)
+        return PSC_ERROR_NEEDS_NORMAL;
+    *value = s->projected && s->sides > 0 ? s->total : 0.0;
+    if (s->projected || s->sides == 0)
+        return *value > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
+    request.measure = PSC_MEASURE_PROJECTED_SOLID_ANGLE;
+    request.map = PSC_MAP_PARALLEL;
+    request.facing = s->facing;
+    request.position = d->given_position;
+    request.normal = d->given_normal;
+    request.one_sided = 0;
+    request.numbers = d->numbers;
+    request.table = NULL;
+    psc_sampler_init(&storage, sizeof storage, &other);
+    result = psc_build_numbers(other, s->shape, &request, d->given);
+    *value = other->total;
+    return result;
 }
 
 psc_result psc_disk_area(const psc_sampler *s, double *value)
@@ -46,6 +69,25 @@ psc_result psc_disk_ask_solid_angle(const struct psc_shape_row *shape, const cha
     result = psc_build(sampler, shape, kinds, &technique, &receiver, parts);
     if (result >= 0)
         *solid_angle = sampler->total;
+    return result;
+}
+
+psc_result psc_disk_ask_form_factor(const struct psc_shape_row *shape, const char *kinds,
+                                    const psc_receiver *receiver, const double *const parts[],
+                                    double *form_factor)
+{
+    const psc_technique technique = {sizeof technique, PSC_MEASURE_PROJECTED_SOLID_ANGLE,
+                                     PSC_MAP_PARALLEL, 0, NULL};
+    psc_sampler_storage storage;
+    psc_sampler *sampler;
+    psc_result result;
+
+    if (!form_factor)
+        return PSC_ERROR_NULL_POINTER;
+    psc_sampler_init(&storage, sizeof storage, &sampler);
+    result = psc_build(sampler, shape, kinds, &technique, receiver, parts);
+    if (result >= 0)
+        *form_factor = sampler->total * (1.0 / PSC_PI);
     return result;
 }
 
@@ -103,12 +145,54 @@ static double eccentric(const struct psc_ellipse *e, const struct seen *d, doubl
     return square;
 }
 
+/* The height over the horizon that counts of a direction of the light; negative if it is none of
+   what is above. */
+static double look_above(const psc_sampler *s, const double direction[3], double epsilon,
+                         struct seen *d)
+{
+    const double height = dot(direction, s->disk.receiver);
+
+    if (s->disk.inside)
+        d->margin = 1.0;
+    else if (!look(&s->disk.seen, direction, epsilon, d))
+        return -1.0;
+    return s->facing == PSC_FACING_BOTH ? ABS(height) : height;
+}
+
+/* By projected solid angle. */
+static psc_result invert_fibres(const psc_sampler *s, const double direction[3], double epsilon,
+                                double uv[2])
+{
+    const struct psc_disk_light *l = &s->disk;
+    const int side = s->sides == 2 && dot(direction, l->receiver) < 0.0;
+    const double sign = l->inside && side == 1 ? -1.0 : 1.0;
+    struct psc_fibre_direction at;
+    struct seen d;
+
+    if (look_above(s, direction, epsilon, &d) < -32.0 * epsilon)
+        return PSC_OUTSIDE;
+    at.x = dot(direction, l->seen.x);
+    at.y = dot(direction, l->seen.y);
+    at.depth = MAX(sign * dot(direction, l->seen.z), DBL_MIN);
+    at.uz = l->inside ? 0.0 : d.u;
+    at.vz = l->inside ? 0.0 : d.v;
+    at.margin = l->inside ? at.depth * at.depth : d.margin;
+    fibre_invert(l, side, &at, uv);
+    if (s->sides == 2)
+        uv[0] = side == 0 ? uv[0] * s->split : 1.0 - uv[0] * (1.0 - s->split);
+    uv[0] = MIN(MAX(uv[0], 0.0), 1.0);
+    uv[1] = MIN(MAX(uv[1], 0.0), 1.0);
+    return PSC_SUCCESS;
+}
+
 double psc_disk_pdf(const psc_sampler *s, const double direction[3], double epsilon)
 {
     const struct psc_disk_light *l = &s->disk;
     double qx, qy, rest, length;
     struct seen d;
 
+    if (s->projected)
+        return MAX(look_above(s, direction, epsilon, &d), 0.0) * s->inverse_total;
     if (l->inside)
         return s->inverse_total;
     if (!look(&l->seen, direction, epsilon, &d))
@@ -228,6 +312,8 @@ psc_result psc_disk_invert(const psc_sampler *s, const double direction[3], doub
     struct seen d;
     int i;
 
+    if (s->projected)
+        return invert_fibres(s, direction, epsilon, uv);
     if (l->inside) {
         invert_around(l->map, direction, uv);
     } else if (!look(&l->seen, direction, epsilon, &d)) {

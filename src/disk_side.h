@@ -5,6 +5,7 @@
 #define PSC_SRC_DISK_SIDE_H
 
 #include "ellipse_cdf.h"
+#include "fibres.h"
 
 /* Rules of interpolation, by the smallest quotient cos alpha / cos beta that each serves: nodes,
    steps of fit_node(). */
@@ -35,7 +36,9 @@ enum psc_disk_map {
     /* From inside an ellipsoid, all directions. */
     PSC_DISK_AROUND_RADIAL,
     PSC_DISK_AROUND_CONCENTRIC,
-    PSC_DISK_AROUND_PARALLEL
+    PSC_DISK_AROUND_PARALLEL,
+    /* By projected solid angle, see fibre_density.h. */
+    PSC_DISK_FIBRES
 };
 
 /* What the density of a direction follows from. */
@@ -67,6 +70,9 @@ static inline enum psc_disk_hit disk_hit_of(enum psc_disk_map map, int solid)
                                          : PSC_DISK_HIT_FLAT;
 }
 
+/* Numbers of the geometry, at most. */
+#define PSC_DISK_NUMBERS 12
+
 struct psc_disk_light {
     struct psc_ellipse seen;
     double axis[3]; /* what an offset from the axis is added to: seen.z */
@@ -92,6 +98,14 @@ struct psc_disk_light {
     double far_off, beyond; /* and beyond^2 = far_off^2 - 1, negated from inside */
     double solid_axis[3][3], inverse[3][3], unit;
     double offset[3]; /* from inside, of the centre, in those units */
+
+    /* Projected solid angle, by sides of the receiver's plane. */
+    struct psc_horizon horizon;
+    struct psc_fibres fibres[2];
+
+    /* What a receiver with a normal was built with, for questions in that measure. */
+    double given_position[3], given_normal[3], given[PSC_DISK_NUMBERS];
+    int numbers;
 };
 
 #endif

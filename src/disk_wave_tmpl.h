@@ -199,6 +199,11 @@ static void FN(disk_waves)(const struct psc_wave *wave, FN(disk_see) see, const 
     size_t i;
     int loop;
 
+    if (wave->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE) {
+        for (i = 0; i < wave->count; i++)
+            r->status[i] = PSC_PENDING;
+        return;
+    }
     memset(o.count, 0, sizeof o.count);
     s.measure = wave->measure;
     s.map = wave->map;

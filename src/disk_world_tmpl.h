@@ -85,28 +85,23 @@ PSC_LANE void FN(inside_hit)(const struct FN(psc_disk_world) *w, const real dire
 }
 
 /*
- * The hit of a light seen from outside. The near side of an ellipsoid follows from the point of
- * the elliptical disk with the same outline: in units in which it is the unit sphere at the
- * distance C, with r the root of 1 - q^2 and lambda = sqrt(C^2 - 1) / (C + r), the normal is
- * lambda (q_x, q_y) across and -(1 + C r) / (C + r) along.
+ * The hit of a light seen from outside, from U z, V z, z and z^2 (1 - U^2 - V^2) of
+ * ellipse_view.h. The near side of an ellipsoid (solid) follows from the point of the elliptical
+ * disk with the same outline: in units in which it is the unit sphere at the distance C, with r
+ * the root of 1 - q^2 and lambda = sqrt(C^2 - 1) / (C + r), the normal is lambda (q_x, q_y) across
+ * and -(1 + C r) / (C + r) along.
  */
-PSC_LANE void FN(outside_hit)(enum psc_disk_hit hit, const struct FN(psc_disk_world) *w,
-                              const struct FN(psc_disk_point) *p, real point[3], real normal[3],
-                              real *distance, real surface[2])
+PSC_LANE void FN(gnomonic_hit)(int solid, const struct FN(psc_disk_world) *w, real x, real y,
+                               real height, real margin, real point[3], real normal[3], real *distance,
+                               real surface[2])
 {
-    real height, margin, x, y, qx, qy, inverse;
+    real qx, qy, inverse;
     int i;
 
-    if (hit == PSC_DISK_HIT_CHORD || hit == PSC_DISK_HIT_SOLID_CHORD)
-        FN(chord_depth)(w->ca, w->cb, p, &height, &margin);
-    else
-        FN(cone_depth)(w->ca, w->cb, p, &height, &margin);
-    x = p->x * w->per_at;
-    y = p->y * w->per_bt;
     FN(boost)(w->near, w->far, w->turn[0] * x + w->turn[1] * y, w->turn[0] * y - w->turn[1] * x,
               height, margin, &qx, &qy, &inverse);
     *distance = K(2.0) * w->reach * inverse;
-    if (hit == PSC_DISK_HIT_SOLID || hit == PSC_DISK_HIT_SOLID_CHORD) {
+    if (solid) {
         const real r = MIN(K(2.0) * SQRT(margin) * inverse, K(1.0));
         const real share = K(1.0) / (w->far_off + r), lambda = w->beyond * share;
         const real unit[3] = {lambda * qx, lambda * qy, -(K(1.0) + w->far_off * r) * share};
@@ -122,6 +117,21 @@ PSC_LANE void FN(outside_hit)(enum psc_disk_hit hit, const struct FN(psc_disk_wo
     }
     surface[0] = qx * w->side[0][0] + qy * w->side[1][0];
     surface[1] = qx * w->side[0][1] + qy * w->side[1][1];
+}
+
+PSC_LANE void FN(outside_hit)(enum psc_disk_hit hit, const struct FN(psc_disk_world) *w,
+                              const struct FN(psc_disk_point) *p, real point[3], real normal[3],
+                              real *distance, real surface[2])
+{
+    real height, margin;
+
+    if (hit == PSC_DISK_HIT_CHORD || hit == PSC_DISK_HIT_SOLID_CHORD)
+        FN(chord_depth)(w->ca, w->cb, p, &height, &margin);
+    else
+        FN(cone_depth)(w->ca, w->cb, p, &height, &margin);
+    FN(gnomonic_hit)(hit == PSC_DISK_HIT_SOLID || hit == PSC_DISK_HIT_SOLID_CHORD, w,
+                     p->x * w->per_at, p->y * w->per_bt, height, margin, point, normal, distance,
+                     surface);
 }
 
 PSC_LANE void FN(area_hit)(const struct FN(psc_disk_world) *w, const struct FN(psc_disk_point) *p,

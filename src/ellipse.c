@@ -5,7 +5,7 @@
 static const char geometry[] = "vvv"; /* center, two conjugate semi-axes */
 
 const struct psc_shape_row psc_shape_ellipse = {
-    PSC_SHAPE_ELLIPSE, PSC_KERNEL_ELLIPSE, {31, 0, 7, 0}, psc_disk_whole_solid_angle,
+    PSC_SHAPE_ELLIPSE, PSC_KERNEL_ELLIPSE, {31, 2, 7, 0}, psc_disk_whole_solid_angle,
     psc_disk_projected_solid_angle, psc_disk_area, psc_disk_pdf, psc_disk_invert};
 
 psc_result psc_build_ellipse(psc_sampler *sampler, const psc_technique *technique,
@@ -45,4 +45,13 @@ psc_result psc_ellipse_solid_angle(const double position[3], const double center
     const double *const parts[] = {center, axis_u, axis_v};
 
     return psc_disk_ask_solid_angle(&psc_shape_ellipse, geometry, position, parts, solid_angle);
+}
+
+psc_result psc_ellipse_form_factor(const psc_receiver *receiver, const double center[3],
+                                    const double axis_u[3], const double axis_v[3],
+                                    double *form_factor)
+{
+    const double *const parts[] = {center, axis_u, axis_v};
+
+    return psc_disk_ask_form_factor(&psc_shape_ellipse, geometry, receiver, parts, form_factor);
 }

@@ -21,6 +21,7 @@ struct psc_outline {
     struct psc_ellipse seen;
     double near, far, turn[2];
     double side[2][2];
+    double turned[3]; /* z reach as a sum of the semi-axes and the offset; not of a circular disk */
     double reach; /* of the light along z: the receiver is at distance 2 reach / D of the light in
                      the direction whose gnomonic coordinates are divided by their z */
 };
@@ -255,6 +256,7 @@ static inline int see_elliptical(const double g1[3], const double g2[3], const d
     o->reach = n[2];
 
     /* V = turn (side) boost turn: y' is where the last row points, x' is not boosted. */
+    memcpy(o->turned, v[2], sizeof o->turned);
     sinh_rho = SQRT(v[first][2] * v[first][2] + v[second][2] * v[second][2]);
     o->far = SQRT(1.0 + sinh_rho * sinh_rho) + sinh_rho;
     o->near = 1.0 / o->far;

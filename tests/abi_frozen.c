@@ -318,15 +318,22 @@ FIELD(psc_description, reserved, 20, uint32_t *);
       (const double *, const double *, const double *, const double *, double *)) \
     F(58, polygon_solid_angle, int32_t, \
       (const double *, size_t, const double *, ptrdiff_t, double *)) \
-    F(59, table_size, size_t, (uint32_t)) \
-    F(60, table_init, int32_t, (void *, size_t, uint32_t, const psc_table **))
+    F(59, disk_form_factor, int32_t, \
+      (const psc_receiver *, const double *, const double *, double, double *)) \
+    F(60, ellipse_form_factor, int32_t, \
+      (const psc_receiver *, const double *, const double *, const double *, double *)) \
+    F(61, ellipsoid_form_factor, int32_t, \
+      (const psc_receiver *, const double *, const double *, const double *, const double *, \
+       double *)) \
+    F(62, table_size, size_t, (uint32_t)) \
+    F(63, table_init, int32_t, (void *, size_t, uint32_t, const psc_table **))
 
 #define FUNCTION(place, name, result, parameters) \
     _Static_assert(_Generic(&psc_##name, result(*) parameters : 1, default : 0), "psc_" #name); \
     FIELD(psc_api_1, name, (place) * W, result(**) parameters);
 
 FUNCTIONS(FUNCTION)
-SIZE(psc_api_1, 61 * W, W);
+SIZE(psc_api_1, 64 * W, W);
 _Static_assert(_Generic(&psc_get_api, int32_t (*)(uint32_t, void *, size_t) : 1, default : 0),
                "psc_get_api");
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Disks: solid angle, and the radial, parallel and concentric maps of spherical ellipses.
+ * Disks: solid angle and projected solid angle, and the radial, parallel and concentric maps of
+ * spherical ellipses.
  *
  * Rows of the maps give semi-arcs as exact doubles. They are evaluated from these (arcs.h) as
  * offsets from the axis. An error in x counts in units of sin alpha, one in y in those of
@@ -11,8 +12,11 @@
 #include "calls.h"
 #include "golden.h"
 
+/* What is nothing must be nothing. */
 static double relative(quad value, quad expected)
 {
+    if (expected == 0)
+        return value == 0 ? 0.0 : HUGE_VAL;
     return (double)quad_abs(value / expected - 1);
 }
 
@@ -41,6 +45,27 @@ static void compare_solid_angle(const struct csv *row, double error[GOLDEN_MEASU
     }
     psc_disk_solid_angle(origin, center, normal, radius, &total);
     error[1] = relative(total, row->exact[8]);
+}
+
+/* ---- Projected solid angle */
+
+static void compare_projected(const struct csv *row, double error[GOLDEN_MEASURES])
+{
+    static const double origin[3] = {0.0, 0.0, 0.0};
+    const double *center = row->number + 1, *normal = row->number + 4, radius = row->number[7];
+    const psc_technique technique =
+        make_technique(PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_PARALLEL);
+    const psc_receiver receiver = make_receiver(origin, row->number + 8, 0);
+    double total = NAN, factor = NAN, whole = NAN;
+    struct test_sampler s;
+
+    psc_disk_solid_angle(origin, center, normal, radius, &whole);
+    psc_build_disk(make_sampler(&s), &technique, &receiver, center, normal, radius);
+    psc_sampler_total(s.sampler, &total);
+    psc_disk_form_factor(&receiver, center, normal, radius, &factor);
+    error[0] = relative(total, row->exact[11]);
+    error[1] = (double)(quad_abs(total - row->exact[11]) / whole);
+    error[2] = relative(factor, row->exact[11] / quad_pi());
 }
 
 /* ---- Directions */
@@ -157,6 +182,12 @@ const struct golden_quantity golden_disks[] = {
      {{"total, relative", 2e-15},
       {"total without a sampler, relative", 2e-15},
       {"1 / pdf f32, relative", 1e-6},
+      {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}}},
+    {"disk_projected_solid_angle", "kind,cx,cy,cz,nx,ny,nz,radius,Nx,Ny,Nz,projected_solid_angle",
+     12, compare_projected,
+     {{"total, relative", 2e-15},
+      {"total, of the solid angle", 2e-15},
+      {"form factor without a sampler, relative", 2e-15},
       {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}}},
     {"disk_radial", COLUMNS, 9, compare_radial, MEASURES},
     {"disk_parallel", COLUMNS, 9, compare_parallel, MEASURES},

@@ -18,6 +18,11 @@ static psc_result disk_solid_angle(const double position[3], const double *g, do
     return psc_disk_solid_angle(position, g, g + 3, g[6], value);
 }
 
+static psc_result disk_form_factor(const psc_receiver *receiver, const double *g, double *value)
+{
+    return psc_disk_form_factor(receiver, g, g + 3, g[6], value);
+}
+
 static void disk_make(uint64_t *state, const struct test_technique *what, int hard, double *g)
 {
     (void)state, (void)what, (void)hard;
@@ -92,6 +97,7 @@ static const struct test_technique flat_techniques[] = {
     {"area, radial", PSC_MEASURE_AREA, PSC_MAP_RADIAL},
     {"area, parallel", PSC_MEASURE_AREA, PSC_MAP_PARALLEL},
     {"area, concentric", PSC_MEASURE_AREA, PSC_MAP_CONCENTRIC},
+    {"projected solid angle, parallel", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_PARALLEL},
     {NULL, 0, 0},
 };
 
@@ -99,7 +105,8 @@ const struct shape shape_disk = {
     .name = "disk", .shape = PSC_SHAPE_DISK, .parts = "pdr", .flat = 1,
     .techniques = flat_techniques, .build = disk_build,
     .wave_f32 = disk_wave_f32, .wave_f64 = disk_wave_f64, .solid_angle = disk_solid_angle,
-    .make = disk_make, .hit = disk_hit, .surface = disk_surface, .texture = disk_texture,
+    .form_factor = disk_form_factor, .make = disk_make, .hit = disk_hit,
+    .surface = disk_surface, .texture = disk_texture,
 };
 
 /* ---- Elliptical disks ---- */
@@ -115,6 +122,11 @@ SHAPE_WAVES(ellipse, ellipse, in[0], in[1], in[2])
 static psc_result ellipse_solid_angle(const double position[3], const double *g, double *value)
 {
     return psc_ellipse_solid_angle(position, g, g + 3, g + 6, value);
+}
+
+static psc_result ellipse_form_factor(const psc_receiver *receiver, const double *g, double *value)
+{
+    return psc_ellipse_form_factor(receiver, g, g + 3, g + 6, value);
 }
 
 /* Semi-axes that are conjugate but not perpendicular, within the unit circle. */
@@ -163,10 +175,10 @@ static double ellipse_surface(const double *g, const double point[3], double nor
     off = off_plane(g, n, point, normal);
     subtract3(point, g, offset);
     along_axes(g, offset, st);
-    /* beyond the rim, to first order: in the direction of the shorter semi-axis */
-    over = st[0] * st[0] + st[1] * st[1] - 1.0;
+    /* beyond the rim: in the direction of the shorter semi-axis */
+    over = sqrt(st[0] * st[0] + st[1] * st[1]) - 1.0;
     size = sqrt(dot(n, n)) / sqrt(dot(g + 3, g + 3) + dot(g + 6, g + 6));
-    return fmax(off, 0.5 * over * size);
+    return fmax(off, over * size);
 }
 
 static void ellipse_texture(const double *g, const double st[2], double point[3])
@@ -181,8 +193,8 @@ const struct shape shape_ellipse = {
     .name = "ellipse", .shape = PSC_SHAPE_ELLIPSE, .parts = "pee", .flat = 1, .jumps = 0.02,
     .techniques = flat_techniques, .build = ellipse_build,
     .wave_f32 = ellipse_wave_f32, .wave_f64 = ellipse_wave_f64,
-    .solid_angle = ellipse_solid_angle, .make = ellipse_make, .hit = ellipse_hit,
-    .surface = ellipse_surface, .texture = ellipse_texture,
+    .solid_angle = ellipse_solid_angle, .form_factor = ellipse_form_factor,
+    .make = ellipse_make, .hit = ellipse_hit, .surface = ellipse_surface, .texture = ellipse_texture,
 };
 
 /* ---- Ellipsoids ---- */
@@ -198,6 +210,11 @@ SHAPE_WAVES(ellipsoid, ellipsoid, in[0], in[1], in[2], in[3])
 static psc_result ellipsoid_solid_angle(const double position[3], const double *g, double *value)
 {
     return psc_ellipsoid_solid_angle(position, g, g + 3, g + 6, g + 9, value);
+}
+
+static psc_result ellipsoid_form_factor(const psc_receiver *receiver, const double *g, double *value)
+{
+    return psc_ellipsoid_form_factor(receiver, g, g + 3, g + 6, g + 9, value);
 }
 
 /* Semi-axes in any directions. */
@@ -270,6 +287,7 @@ static const struct test_technique solid_techniques[] = {
     {"solid angle, concentric", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_CONCENTRIC},
     {"solid angle, quasi-uniform", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_QUASI_UNIFORM},
     {"solid angle, tabulated", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_TABULATED},
+    {"projected solid angle, parallel", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_PARALLEL},
     {NULL, 0, 0},
 };
 
@@ -277,6 +295,7 @@ const struct shape shape_ellipsoid = {
     .name = "ellipsoid", .shape = PSC_SHAPE_ELLIPSOID, .parts = "peee", .jumps = 0.1,
     .techniques = solid_techniques, .build = ellipsoid_build,
     .wave_f32 = ellipsoid_wave_f32, .wave_f64 = ellipsoid_wave_f64,
-    .solid_angle = ellipsoid_solid_angle, .make = ellipsoid_make, .hit = ellipsoid_hit,
+    .solid_angle = ellipsoid_solid_angle, .form_factor = ellipsoid_form_factor,
+    .make = ellipsoid_make, .hit = ellipsoid_hit,
     .surface = ellipsoid_surface,
 };
