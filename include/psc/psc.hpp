@@ -105,6 +105,7 @@ struct disk {
         return std::make_tuple(center.data(), normal.data(), radius);
     }
     static constexpr auto build = psc_build_disk;
+    static constexpr auto form_factor = psc_disk_form_factor;
     static constexpr auto solid_angle = psc_disk_solid_angle;
     static constexpr auto sample_n_f32 = psc_disk_sample_n_f32;
     static constexpr auto sample_n_f64 = psc_disk_sample_n_f64;
@@ -119,6 +120,7 @@ struct ellipse {
         return std::make_tuple(center.data(), axis_u.data(), axis_v.data());
     }
     static constexpr auto build = psc_build_ellipse;
+    static constexpr auto form_factor = psc_ellipse_form_factor;
     static constexpr auto solid_angle = psc_ellipse_solid_angle;
     static constexpr auto sample_n_f32 = psc_ellipse_sample_n_f32;
     static constexpr auto sample_n_f64 = psc_ellipse_sample_n_f64;
@@ -133,6 +135,7 @@ struct ellipsoid {
         return std::make_tuple(center.data(), axis_u.data(), axis_v.data(), axis_w.data());
     }
     static constexpr auto build = psc_build_ellipsoid;
+    static constexpr auto form_factor = psc_ellipsoid_form_factor;
     static constexpr auto solid_angle = psc_ellipsoid_solid_angle;
     static constexpr auto sample_n_f32 = psc_ellipsoid_sample_n_f32;
     static constexpr auto sample_n_f64 = psc_ellipsoid_sample_n_f64;

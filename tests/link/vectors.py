@@ -25,6 +25,7 @@ LOOPS = [
     ("cap", r"look_(cone|projected)", ("base",)), # SSE2 has no choice between doubles by integers
     ("cap", r"invert_(radial|parallel|concentric)_\w+", ()),
     ("disk", r"(radial|concentric|area_\w+)_block_\w+", ()),
+    ("disk", r"place_(whole|clipped)(_brief)?_f\d\d", ()),
     ("polygon", r"fan_block_f\d\d", ()),
     ("polygon", r"triangle_wave_f\d\d", ("base",)),
 ]
