@@ -109,6 +109,9 @@ module.exports = path => {
         version: library.func('uint32_t psc_version()'),
         create: library.func('int32_t psc_sampler_create(void *, _Out_ psc_sampler **)'),
         destroy: library.func('void psc_sampler_destroy(psc_sampler *)'),
+        tableSize: library.func('size_t psc_table_size(uint32_t)'),
+        tableInit: library.func('int32_t psc_table_init(void *, size_t, uint32_t, ' +
+                                '_Out_ void **)'),
         build: {}, solidAngle: {}, formFactor: {}, sampler: {},
         describe: library.func('int32_t psc_sampler_describe(psc_sampler *, ' +
                                '_Inout_ psc_description *)'),
@@ -158,9 +161,10 @@ module.exports = path => {
         return result;
     }
 
-    function technique({ measure = 0, map = 0, flags = 0 } = {})
+    function technique({ measure = 0, map = 0, flags = 0, table = null } = {})
     {
-        return { struct_size: koffi.sizeof('psc_technique'), measure, map, flags, table: null };
+        return { struct_size: koffi.sizeof('psc_technique'), measure, map, flags,
+                 table: table?.address ?? null };
     }
 
     function borrow({ position, normal = null, flags = 0 })
@@ -186,6 +190,7 @@ module.exports = path => {
 
     class Sampler {
         #handle;
+        #table; // of the technique: must live as long
 
         constructor()
         {
@@ -197,6 +202,7 @@ module.exports = path => {
         // Whether anything of the light can be seen.
         build(light, receiver, how)
         {
+            this.#table = how?.table;
             return check(calls.build[light.shape](this.#handle, technique(how), borrow(receiver),
                                                   ...parts(light))) === 0;
         }
@@ -254,7 +260,7 @@ module.exports = path => {
 
     return {
         SOLID_ANGLE: 0, PROJECTED_SOLID_ANGLE: 1, AREA: 2, VISIBLE_AREA: 3,
-        RADIAL: 0, PARALLEL: 1, CONCENTRIC: 2, QUASI_UNIFORM: 3,
+        RADIAL: 0, PARALLEL: 1, CONCENTRIC: 2, QUASI_UNIFORM: 3, TABULATED: 4,
         version: calls.version,
         view,
         // psc.disk(center, normal, radius) and so on, in the order of the build calls.
@@ -262,6 +268,14 @@ module.exports = path => {
             shape => [shape, (...parts) => ({ shape, parts })])),
         shapes: Object.keys(SHAPES),
         sampler: () => new Sampler(),
+        // What the tabulated map looks up, for a technique.
+        table(resolution)
+        {
+            const size = calls.tableSize(resolution), out = [null];
+            const memory = new Uint32Array(Math.ceil(size / 4));
+            check(calls.tableInit(memory, size, resolution, out));
+            return { memory, address: out[0] };
+        },
         // Without a sampler; a distant light has the same solid angle from everywhere.
         solidAngle: (light, position) => light.shape === 'cap'
             ? number(calls.solidAngle.cap, light.parts[1])

@@ -119,6 +119,15 @@ psc.shapes.forEach((shape, i) => {
     check(`${shape}: a wavefront gives what single calls give`,
           same && status.includes(0) && status.includes(2));
 });
+// The map that needs a table.
+const mean = how => {
+    const weight = new Float64Array(m);
+    sampler.build(psc.disk(...lights.disk), from, how);
+    sampler.sampleN(m, view(square, 2), { weight: view(weight, 1) });
+    return weight.reduce((a, b) => a + b) / m;
+};
+check('the tabulated map',
+      near(mean({ map: psc.TABULATED, table: psc.table(256) }), mean({ map: psc.RADIAL }), 0.05));
 check('form factors', near(psc.formFactor(sphere, from), exact / Math.PI, 1e-14));
 
 console.log(`1..${count}`);

@@ -35,6 +35,7 @@ return function(library, header)
         PARALLEL = C.PSC_MAP_PARALLEL,
         CONCENTRIC = C.PSC_MAP_CONCENTRIC,
         QUASI_UNIFORM = C.PSC_MAP_QUASI_UNIFORM,
+        TABULATED = C.PSC_MAP_TABULATED,
         vector = ffi.typeof 'double[3]',
         shapes = { 'sphere', 'cap', 'disk', 'ellipse', 'ellipsoid', 'triangle', 'rectangle',
             'polygon' },

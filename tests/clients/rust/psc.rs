@@ -27,12 +27,16 @@ pub mod sys {
         _opaque: [u8; 0],
     }
     #[repr(C)]
+    pub struct Table {
+        _opaque: [u8; 0],
+    }
+    #[repr(C)]
     pub struct Technique {
         pub struct_size: u32,
         pub measure: u32,
         pub map: u32,
         pub flags: u32,
-        pub table: *const u8,
+        pub table: *const Table,
     }
     #[repr(C)]
     pub struct Receiver {
@@ -159,6 +163,13 @@ pub mod sys {
             uv: *const Input,
             out: *const Samples,
         ) -> i32;
+        pub fn psc_table_size(resolution: u32) -> usize;
+        pub fn psc_table_init(
+            memory: *mut c_void,
+            size: usize,
+            resolution: u32,
+            out: *mut *const Table,
+        ) -> i32;
         pub fn psc_sampler_total(sampler: *const Sampler, out: *mut f64) -> i32;
         pub fn psc_sampler_solid_angle(sampler: *const Sampler, out: *mut f64) -> i32;
         pub fn psc_sampler_projected_solid_angle(sampler: *const Sampler, out: *mut f64) -> i32;
@@ -185,18 +196,46 @@ pub enum Map {
     Parallel = 1,
     Concentric = 2,
     QuasiUniform = 3,
+    Tabulated = 4,
+}
+
+/// What the tabulated map looks up.
+pub struct Table {
+    _memory: Box<[u32]>,
+    handle: *const sys::Table,
+}
+
+// It is only read once it is made.
+unsafe impl Send for Table {}
+unsafe impl Sync for Table {}
+
+impl Table {
+    pub fn new(resolution: u32) -> Result<Self, Error> {
+        let size = unsafe { sys::psc_table_size(resolution) };
+        let mut memory = vec![0u32; (size + 3) / 4].into_boxed_slice();
+        let (first, mut handle) = (memory.as_mut_ptr() as *mut _, std::ptr::null());
+        match unsafe { sys::psc_table_init(first, size, resolution, &mut handle) } {
+            0 => Ok(Table { _memory: memory, handle }),
+            error => Err(Error(error)),
+        }
+    }
 }
 
 #[derive(Clone, Copy)]
-pub struct Technique {
+pub struct Technique<'t> {
     pub measure: Measure,
     pub map: Map,
     pub one_sided: bool,
+    pub table: Option<&'t Table>,
 }
 
-impl Technique {
+impl<'t> Technique<'t> {
     pub fn new(measure: Measure, map: Map) -> Self {
-        Technique { measure, map, one_sided: false }
+        Technique { measure, map, one_sided: false, table: None }
+    }
+
+    pub fn tabulated(table: &'t Table) -> Self {
+        Technique { table: Some(table), ..Self::new(Measure::SolidAngle, Map::Tabulated) }
     }
 
     fn borrow(&self) -> sys::Technique {
@@ -205,7 +244,7 @@ impl Technique {
             measure: self.measure as u32,
             map: self.map as u32,
             flags: self.one_sided as u32,
-            table: std::ptr::null(),
+            table: self.table.map_or(std::ptr::null(), |t| t.handle),
         }
     }
 }
@@ -274,12 +313,12 @@ impl Sampler {
     }
 
     /// None if nothing of the light can be seen.
-    pub fn build(
-        &mut self,
-        technique: &Technique,
+    pub fn build<'s, 't: 's>(
+        &'s mut self,
+        technique: &Technique<'t>,
         receiver: &Receiver,
         light: &Light,
-    ) -> Result<Option<Built<'_>>, Error> {
+    ) -> Result<Option<Built<'s>>, Error> {
         let technique = technique.borrow();
         let from = sys::Receiver {
             struct_size: std::mem::size_of::<sys::Receiver>() as u32,

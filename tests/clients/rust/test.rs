@@ -121,6 +121,11 @@ fn main() -> Result<(), psc::Error> {
     });
     tap.check("four threads share a sampler and get the same bits", same);
 
+    let table = psc::Table::new(64)?;
+    let disk = Light::Disk { center, normal: [0.0, 0.0, 1.0], radius: 0.5 };
+    let looked_up = sampler.build(&Technique::tabulated(&table), &from, &disk)?.is_some();
+    tap.check("the tabulated map", looked_up && psc::Table::new(1).is_err());
+
     let polygon = [[0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [1.5, 1.0, 1.0], [0.5, 2.0, 1.0]];
     let (center, x, y, z) = ([0.5, -0.25, 1.0], [0.5, 0.0, 0.25], [0.0, 1.0, 0.0], [0.0, 0.0, 0.5]);
     for (name, light) in [
