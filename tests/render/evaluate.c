@@ -8,8 +8,13 @@
 enum { PICTURES = 2, REPEATS = 32 };
 
 /* Where what is exact is known, each technique has this share of a reference's samples to get
-   there. */
+   there; projected solid angle needs none, for each of its samples is there. */
 enum { CHECKS = 4 };
+
+static unsigned check_samples(const options *o, const technique_row *t)
+{
+    return t->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE ? 0 : o->reference / CHECKS;
+}
 
 static const unsigned pictured[PICTURES] = {1, 4};
 
@@ -119,7 +124,10 @@ static void make_reference(evaluation *e)
         printf("  reference: exact; in the worst part of the picture samples differ from it by, in "
                "standard\n  deviations:");
         for (unsigned t = 0; t < e->technique_count; ++t) {
-            render_halves(e, t, e->options->reference / CHECKS);
+            const unsigned count = check_samples(e->options, &e->techniques[t]);
+            if (count == 0)
+                continue;
+            render_halves(e, t, count);
             worst[t] = worst_bias(e);
             printf("%s %s %.1f", t ? ";" : "", e->techniques[t].name, worst[t]);
         }
@@ -316,8 +324,9 @@ unsigned evaluate(const options *o, int number, panel gallery[GALLERY])
     e->other = allocate(hit_count(e), sizeof *e->other);
     for (unsigned t = 0; t < e->technique_count; ++t)
         e->curves[t].name = e->techniques[t].name;
-    e->work = LAYERS * (e->scene.open ? o->reference / CHECKS * e->technique_count : o->reference)
-              + 2 * e->technique_count;
+    e->work = (e->scene.open ? 0 : LAYERS * o->reference) + 2 * e->technique_count;
+    for (unsigned t = 0; e->scene.open && t < e->technique_count; ++t)
+        e->work += LAYERS * check_samples(o, &e->techniques[t]);
     /* Of a scene without occluders there is no chart. */
     const unsigned most = e->scene.open ? pictured[PICTURES - 1] : o->samples;
     for (unsigned n = 1; n <= most; n *= 2)

@@ -67,9 +67,33 @@ static const map_row polygon_rows[] = {
      PSC_CASE_NO_HORIZON, POLYGON_RADIAL, -1.40, -1.00, 56},
 };
 
+/* Lights that the horizon cuts, seen from above the receiver, as the caps are. */
+static const technique_row horizon_columns[] = {
+    {"area, radial", PSC_MEASURE_AREA, PSC_MAP_RADIAL},
+    {"solid angle, radial", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL},
+    {"projected, parallel", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_PARALLEL},
+};
+enum { HORIZON_DISK = 7, HORIZON_ELLIPSOID = 6, HORIZON_POLYGON = 3 };
+
+static const map_row horizon_rows[] = {
+    {"disk, cut", "disk", &light_disk, 7, {0.7, 0.1, 0.3, -1, 0.2, -0.5, 0.9}, 1,
+     PSC_CASE_CLIPPED, HORIZON_DISK, 0.00, -0.95, 150},
+    {"ellipsoid, cut", "ellipsoid", &light_ellipsoid, 12,
+     {1.1, 0.1, 0.25, 0, 0.7, 0.4, 0.5, 0, 0, 0, -0.3, 0.6}, 1,
+     PSC_CASE_CLIPPED, HORIZON_ELLIPSOID, 0.00, -0.95, 150},
+    {"triangle, cut", "triangle", &light_triangle, 9,
+     {0.7, -0.9, 0.2, 0.9, 0.8, -0.2, 0.4, 0.3, 1.0}, 1,
+     PSC_CASE_CLIPPED, HORIZON_POLYGON, 0.00, -0.95, 150},
+    {"pentagon, cut", "pentagon", &light_polygon, 15,
+     {1.1, -0.3, -0.25, 1.08, 0.5, -0.2, 0.8, 0.9, 0.5, 0.6, 0.1, 1.0, 0.76, -0.8, 0.6}, 1,
+     PSC_CASE_CLIPPED, HORIZON_POLYGON, 0.00, -0.95, 150},
+};
+
 const map_figure map_figures[MAP_FIGURES] = {
     {"maps", 166, 284, COUNT(cap_columns), COUNT(cap_rows), cap_columns, cap_rows},
     {"maps-disks", 166, 112, COUNT(disk_columns), COUNT(disk_rows), disk_columns, disk_rows},
+    {"maps-horizon", 166, 284, COUNT(horizon_columns), COUNT(horizon_rows), horizon_columns,
+     horizon_rows},
     {"maps-polygons", 166, 112, COUNT(polygon_columns), COUNT(polygon_rows), polygon_columns,
      polygon_rows},
 };

@@ -29,7 +29,7 @@ typedef struct map_figure {
     const map_row *rows;
 } map_figure;
 
-enum { MAP_FIGURES = 3 };
+enum { MAP_FIGURES = 4 };
 extern const map_figure map_figures[MAP_FIGURES];
 
 static inline size_t map_vectors(const map_row *row)

@@ -26,6 +26,7 @@ shrink sun 96
 shrink maps 24
 shrink maps-disks 24
 shrink maps-polygons 24
+shrink maps-horizon 24
 for scene in disk fog windows; do
     upper $scene
     shrink $scene 128

@@ -12,6 +12,16 @@ static const comparison spheres = {
      {"projected, concentric", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_CONCENTRIC}}};
 
 static const comparison disks = {
+    6, 2,
+    {{"area", PSC_MEASURE_AREA, PSC_MAP_CONCENTRIC},
+     {"solid angle, radial", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL},
+     {"solid angle, concentric", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_CONCENTRIC},
+     {"solid angle, parallel", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_PARALLEL},
+     {"quasi-uniform", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_QUASI_UNIFORM},
+     {"projected, parallel", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_PARALLEL}}};
+
+/* In a volume nothing is projected. */
+static const comparison fog = {
     5, 2,
     {{"area", PSC_MEASURE_AREA, PSC_MAP_CONCENTRIC},
      {"solid angle, radial", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL},
@@ -20,11 +30,12 @@ static const comparison disks = {
      {"quasi-uniform", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_QUASI_UNIFORM}}};
 
 static const comparison ellipsoids = {
-    4, 1,
+    5, 1,
     {{"solid angle, radial", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL},
      {"solid angle, concentric", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_CONCENTRIC},
      {"solid angle, parallel", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_PARALLEL},
-     {"quasi-uniform", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_QUASI_UNIFORM}}};
+     {"quasi-uniform", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_QUASI_UNIFORM},
+     {"projected, parallel", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_PARALLEL}}};
 
 static const comparison polygons = {
     2, 1,
@@ -48,8 +59,8 @@ static const struct {
      &disks},
     {"disk-open", "Disk upright on the ground, both sides lit, and an ellipse, no occluders", 1,
      make_disk, &disks},
-    {"fog", "Disk in fog, occluders", 0, make_fog, &disks},
-    {"fog-open", "Disk in fog, no occluders", 1, make_fog, &disks},
+    {"fog", "Disk in fog, occluders", 0, make_fog, &fog},
+    {"fog-open", "Disk in fog, no occluders", 1, make_fog, &fog},
     {"ellipsoids", "Two ellipsoids, one cutting the ground, and an ellipse, occluders", 0,
      make_ellipsoids, &ellipsoids},
     {"ellipsoids-open", "Two ellipsoids, one cutting the ground, and an ellipse, no occluders", 1,

@@ -131,10 +131,11 @@ module.exports = path => {
             `int32_t psc_${shape}_solid_angle(` +
             (shape === 'cap' ? 'double' : `const double *, ${parts}`) + ', _Out_ double *)');
     }
-    for (const shape of ['sphere', 'cap'])
+    for (const shape of ['sphere', 'cap', 'disk', 'ellipse', 'ellipsoid']) {
+        const parts = SHAPES[shape].map(n => n === 3 ? 'const double *' : 'double').join(', ');
         calls.formFactor[shape] = library.func(
-            `int32_t psc_${shape}_form_factor(psc_receiver *, const double *, double, ` +
-            '_Out_ double *)');
+            `int32_t psc_${shape}_form_factor(psc_receiver *, ${parts}, _Out_ double *)`);
+    }
     for (const [bits, Numbers] of [['f32', Float32Array], ['f64', Float64Array]]) {
         const many = calls[Numbers.name] = {
             sampleN: library.func(`int32_t psc_sample_n_${bits}(psc_sampler *, size_t, ` +
@@ -280,7 +281,7 @@ module.exports = path => {
         solidAngle: (light, position) => light.shape === 'cap'
             ? number(calls.solidAngle.cap, light.parts[1])
             : number(calls.solidAngle[light.shape], position, ...parts(light)),
-        // Of spheres and caps.
+        // Not of polygons.
         formFactor: (light, receiver) =>
             number(calls.formFactor[light.shape], borrow(receiver), ...parts(light)),
         // One build and one sample for each element, of a light whose parts are views.

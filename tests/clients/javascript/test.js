@@ -128,7 +128,8 @@ const mean = how => {
 };
 check('the tabulated map',
       near(mean({ map: psc.TABULATED, table: psc.table(256) }), mean({ map: psc.RADIAL }), 0.05));
-check('form factors', near(psc.formFactor(sphere, from), exact / Math.PI, 1e-14));
+check('form factors', near(psc.formFactor(sphere, from), exact / Math.PI, 1e-14) &&
+                      psc.formFactor(psc.disk(...lights.disk), from) > 0);
 
 console.log(`1..${count}`);
 process.exitCode = failures === 0 ? 0 : 1;

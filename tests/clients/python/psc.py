@@ -206,7 +206,7 @@ class Library:
         return self.number(call, Vector(*position), *parts(light))
 
     def form_factor(self, light, position, normal, two_sided_receiver=False):
-        """Without a sampler, of spheres and caps."""
+        """Without a sampler; not of polygons."""
         return self.number(self.function(light, 'form_factor'),
                            ctypes.byref(receiver(position, normal, two_sided_receiver)),
                            *parts(light))

@@ -99,6 +99,8 @@ for shape, light in enumerate(lights, 1):
     ok = sampler.describe().shape == shape and abs(sampler.pdf(s.direction) / s.pdf - 1) < 1e-9
     ok &= math.dist(sampler.invert(s.direction), (0.25, 0.75)) < 1e-9
     ok &= abs(library.solid_angle(light, origin) / sampler.total() - 1) < 1e-12
+    if shape <= 5:
+        ok &= abs(library.form_factor(light, origin, up) / sampler.form_factor() - 1) < 1e-12
     ok &= abs(sampler.solid_angle() / sampler.total() - 1) < 1e-15
     sampler.sample_n(uv, direction=directions)
     ok &= sampler.invert_n(directions, again, status) == psc.SUCCESS
