@@ -27,6 +27,7 @@ LOOPS = [
     ("disk", r"(radial|concentric|area_\w+)_block_\w+", ()),
     ("disk", r"place_(whole|clipped)(_brief)?_f\d\d", ()),
     ("polygon", r"fan_block_f\d\d", ()),
+    ("polygon", r"rectangle(_area)?_block_f\d\d", ()),
     ("polygon", r"triangle_wave_f\d\d", ("base",)),
 ]
 # Those that a compiler may have inlined into what calls them.
