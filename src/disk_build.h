@@ -297,6 +297,7 @@ static inline psc_result elliptical_see(psc_sampler *s, const struct psc_request
     double axes[2][3], high[3], size, scale, length;
     struct psc_wide offset[3], wide[2][3], normal[3], det;
     struct psc_outline o;
+    struct psc_foot foot;
     int i, k;
 
     disk_clear(d, request);
@@ -327,8 +328,9 @@ static inline psc_result elliptical_see(psc_sampler *s, const struct psc_request
         d->normal[i] /= length;
         high[i] = offset[i].high;
     }
+    see_foot((const struct psc_wide(*)[3])wide, normal, offset, &foot);
     if (det.high == 0.0 || (request->one_sided && det.high > 0.0) ||
-        !see_elliptical(axes[0], axes[1], high, det.high, &o))
+        !see_elliptical(axes[0], axes[1], high, det.high, &foot, &o))
         return PSC_EMPTY;
     if (request->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE) {
         scale_to_one(request->normal, high);
@@ -452,7 +454,7 @@ static inline psc_result ellipsoid_see(psc_sampler *s, const struct psc_request 
         kappa = outer / d->far_off;
         for (i = 0; i < 3; i++)
             high[i] = kappa * offset[i].high;
-        if (d->beyond > 0.0 ? !see_elliptical(g[0], g[1], high, outer * det.high, &o) : 0)
+        if (d->beyond > 0.0 ? !see_elliptical(g[0], g[1], high, outer * det.high, NULL, &o) : 0)
             return PSC_EMPTY;
         d->beyond = outer;
         if (!(outer > 0.0)) {

@@ -155,8 +155,9 @@ static inline int jacobi_turn(double w[3][3], double v[3][3])
 }
 
 /* The same for column k and the last by a hyperbolic turn by artanh t. Where the two are nearly
-   equal, t is nearly -sign, and e = 1 - |t| with w_k - sign w_2 keeps the digits. */
-static inline int jacobi_boost(double w[3][3], double v[3][3], int k)
+   equal, t is nearly -sign, and e = 1 - |t| with w_k - sign w_2 keeps the digits; that difference
+   is `gap` if it is known. */
+static inline int jacobi_boost(double w[3][3], double v[3][3], int k, const double *gap)
 {
     const double g = dot(w[k], w[2]), n0 = dot(w[k], w[k]), n1 = dot(w[2], w[2]);
     const double sign = COPYSIGN(1.0, g), z = 2.0 * g / (n0 + n1);
@@ -166,7 +167,7 @@ static inline int jacobi_boost(double w[3][3], double v[3][3], int k)
     if (!(ABS(g) > DBL_EPSILON * SQRT(n0) * SQRT(n1)))
         return 0;
     for (i = 0; i < 3; i++)
-        off[i] = w[k][i] - sign * w[2][i];
+        off[i] = gap ? gap[i] : w[k][i] - sign * w[2][i];
     equal = ABS(z) > 0.5;
     below = equal ? dot(off, off) / (n0 + n1) : 1.0 - ABS(z);
     q = SQRT(below * (2.0 - below));
@@ -203,26 +204,75 @@ static inline void frame(const double a[3], const double b[3], double x[3], doub
 }
 
 /*
+ * Where the receiver is above the plane of an elliptical disk: the offset is
+ *     c = (1 + beyond) (s g1 + t g2) + rise,   s^2 + t^2 = 1,
+ * with rise along the normal. `beyond` is small next to the rim, where it needs products in two
+ * words.
+ */
+struct psc_foot {
+    double s, t, beyond, rise[3];
+};
+
+static inline void see_foot(const struct psc_wide g[2][3], const struct psc_wide normal[3],
+                            const struct psc_wide offset[3], struct psc_foot *foot)
+{
+    const double high[3] = {normal[0].high, normal[1].high, normal[2].high};
+    const double scale = unit_scale(largest(high));
+    struct psc_wide n[3], across[2][3], nn, s, t, square;
+    double height, length;
+    int i, k;
+
+    for (i = 0; i < 3; i++) {
+        n[i].high = normal[i].high * scale;
+        n[i].low = normal[i].low * scale;
+    }
+    wide_cross(offset, g[1], across[0]);
+    wide_cross(g[0], offset, across[1]);
+    for (k = 0; k < 2; k++)
+        for (i = 0; i < 3; i++) {
+            across[k][i].high *= scale;
+            across[k][i].low *= scale;
+        }
+    nn = wide_dot(n, n);
+    s = wide_dot(across[0], n);
+    t = wide_dot(across[1], n);
+    square = wide_sum(wide_square(s), wide_square(t));
+    length = SQRT(square.high);
+    foot->s = length > 0.0 ? s.high / length : 1.0;
+    foot->t = length > 0.0 ? t.high / length : 0.0;
+    foot->beyond = wide_sum(square, wide_negative(wide_square(nn))).high /
+                   (nn.high * (length + nn.high));
+    height = wide_dot(n, offset).high / nn.high;
+    for (i = 0; i < 3; i++)
+        foot->rise[i] = height * n[i].high;
+}
+
+/*
  * An elliptical disk with the conjugate semi-axes g1, g2, whose determinant with the offset is
  * det. Its cone has the dual matrix g1 g1' + g2 g2' - c c' = W J W', W = (g1 g2 c),
  * J = diag(1, 1, -1); W V with V in SO(2,1) gives the same. Rotations that make the columns of W
  * perpendicular give the axes of the cone, the tangents as quotients of their lengths, and V the
- * projection. The shortest column follows from the determinant, which does not change.
+ * projection. The shortest column follows from the determinant, which does not change. With the
+ * receiver's foot, the first of W is turned towards that, so that what it is off the last is known.
  */
 static inline int see_elliptical(const double g1[3], const double g2[3], const double offset[3],
-                                 double det, struct psc_outline *o)
+                                 double det, const struct psc_foot *foot, struct psc_outline *o)
 {
-    double w[3][3], v[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}, n[3];
+    const double s = foot ? foot->s : 1.0, t = foot ? foot->t : 0.0;
+    double w[3][3], v[3][3] = {{s, t, 0.0}, {-t, s, 0.0}, {0.0, 0.0, 1.0}}, n[3], gap[3];
     struct psc_ellipse *e = &o->seen;
     double sinh_rho, turn, hypotenuse;
     int i, sweep, changed, first, second, low;
 
-    memcpy(w[0], g1, sizeof w[0]);
-    memcpy(w[1], g2, sizeof w[1]);
     memcpy(w[2], offset, sizeof w[2]);
+    for (i = 0; i < 3; i++) {
+        w[0][i] = s * g1[i] + t * g2[i];
+        w[1][i] = s * g2[i] - t * g1[i];
+        gap[i] = foot ? -foot->beyond * w[0][i] - foot->rise[i] : w[0][i] - offset[i];
+    }
     for (sweep = 0, changed = 1; changed && sweep < 12; sweep++) {
-        changed = jacobi_boost(w, v, 0);
-        changed |= jacobi_boost(w, v, 1);
+        changed = jacobi_boost(w, v, 0, sweep == 0 && dot(w[0], w[2]) > 0.0 ? gap : NULL);
+        changed |= jacobi_boost(w, v, 1, NULL);
         changed |= jacobi_turn(w, v);
     }
     for (i = 0; i < 3; i++)
@@ -230,6 +280,12 @@ static inline int see_elliptical(const double g1[3], const double g2[3], const d
     first = n[0] >= n[1] ? 0 : 1;
     second = 1 - first;
     low = n[second] <= n[2];
+    /* the x axis has no sign of its own: s + t grows along it */
+    turn = v[first][0] + v[first][1] < 0.0 ? -1.0 : 1.0;
+    for (i = 0; i < 3; i++) {
+        w[first][i] *= turn;
+        v[first][i] *= turn;
+    }
     frame(w[first], low ? w[2] : w[second], e->x, low ? e->z : e->y, low ? e->y : e->z);
     /* the columns are turned round where the frame is */
     turn = dot(e->z, offset) < 0.0 ? -1.0 : 1.0;

@@ -6,7 +6,7 @@
  * Rows of the maps give semi-arcs as exact doubles. They are evaluated from these (arcs.h) as
  * offsets from the axis. An error in x counts in units of sin alpha, one in y in those of
  * sin beta; in the parallel map, which is as steep as a cube root at its ends, divided by that
- * slope.
+ * slope. Rows of lights in space have points, or directions, of all three maps.
  */
 #include "arcs.h"
 #include "calls.h"
@@ -20,11 +20,13 @@ static double relative(quad value, quad expected)
     return (double)quad_abs(value / expected - 1);
 }
 
+enum { MAPS = 3 };
+static const psc_map maps[MAPS] = {PSC_MAP_RADIAL, PSC_MAP_PARALLEL, PSC_MAP_CONCENTRIC};
+
 /* ---- Solid angle */
 
 static void compare_solid_angle(const struct csv *row, double error[GOLDEN_MEASURES])
 {
-    static const psc_map maps[3] = {PSC_MAP_RADIAL, PSC_MAP_PARALLEL, PSC_MAP_CONCENTRIC};
     static const double origin[3] = {0.0, 0.0, 0.0};
     const double *center = row->number + 1, *normal = row->number + 4, radius = row->number[7];
     const psc_receiver receiver = make_receiver(origin, NULL, 0);
@@ -34,7 +36,7 @@ static void compare_solid_angle(const struct csv *row, double error[GOLDEN_MEASU
     int i;
 
     error[0] = error[2] = 0.0;
-    for (i = 0; i < 3; i++) {
+    for (i = 0; i < MAPS; i++) {
         const psc_technique technique = make_technique(PSC_MEASURE_SOLID_ANGLE, maps[i]);
 
         psc_build_disk(make_sampler(&s), &technique, &receiver, center, normal, radius);
@@ -168,6 +170,101 @@ static void compare_concentric(const struct csv *row, double error[GOLDEN_MEASUR
     compare_direction(PSC_MAP_CONCENTRIC, row, error);
 }
 
+/* ---- Elliptical disks and ellipsoids in space */
+
+/* The same point of the square where the x axis of the cone is the other way round. */
+static void turn_round(psc_map map, double u, double v, double uv[2])
+{
+    uv[0] = map != PSC_MAP_RADIAL ? 1.0 - u : u < 0.5 ? u + 0.5 : u - 0.5;
+    uv[1] = map != PSC_MAP_RADIAL ? 1.0 - v : v;
+}
+
+/* A light of a row, seen from the origin, at a point of its map. */
+static void sample_light(int solid, int bits, psc_map map, const struct csv *row, double u,
+                         double v, struct test_sampler *s, psc_light_sample_f64 *sample)
+{
+    static const double origin[3] = {0.0, 0.0, 0.0};
+    const psc_technique technique = make_technique(PSC_MEASURE_SOLID_ANGLE, map);
+    const psc_receiver receiver = make_receiver(origin, NULL, 0);
+    const double *g = row->number + 1;
+
+    memset(sample, 0xff, sizeof *sample);
+    if (solid)
+        psc_build_ellipsoid(make_sampler(s), &technique, &receiver, g, g + 3, g + 6, g + 9);
+    else
+        psc_build_ellipse(make_sampler(s), &technique, &receiver, g, g + 3, g + 6);
+    sample_any(bits, s->sampler, u, v, sample);
+}
+
+/* Of a flat light the distance on it, along its own axes; of a solid one that of the directions, less
+   what they round by, in units of the light's angular size. */
+static double apart(int solid, int bits, double size, const psc_light_sample_f64 *a,
+                    const quad *expected)
+{
+    const double *found = solid ? a->direction : a->surface;
+    quad square = 0;
+    int i;
+
+    for (i = 0; i < (solid ? 3 : 2); i++)
+        square += quad_square(found[i] - expected[i]);
+    return solid ? fmax((double)quad_sqrt(square) - (bits == 64 ? 0x1p-51 : 0x1p-22), 0.0) / size
+                 : (double)quad_sqrt(square);
+}
+
+static double map_error(int solid, int bits, psc_map map, double size, const struct csv *row,
+                        const quad *expected, double u, double v)
+{
+    struct test_sampler s;
+    psc_light_sample_f64 sample;
+    double uv[2], error;
+
+    sample_light(solid, bits, map, row, u, v, &s, &sample);
+    error = apart(solid, bits, size, &sample, expected);
+    turn_round(map, u, v, uv);
+    sample_light(solid, bits, map, row, uv[0], uv[1], &s, &sample);
+    return fmin(error, apart(solid, bits, size, &sample, expected));
+}
+
+/* Both precisions at the point of the square; float less what rounding that point to float moves
+   it, by the double map. */
+static void compare_light(int solid, const struct csv *row, double error[GOLDEN_MEASURES])
+{
+    const int at = solid ? 13 : 10, numbers = solid ? 3 : 2;
+    const double u = row->number[at], v = row->number[at + 1];
+    const quad *total = row->exact + at + 2 + numbers * MAPS;
+    const double size = fmin(sqrt((double)*total / 3.14), 1.0);
+    struct test_sampler s;
+    psc_light_sample_f64 here, there;
+    double value = NAN;
+    int i, m;
+
+    error[0] = error[1] = 0.0;
+    for (m = 0; m < MAPS; m++) {
+        const quad *expected = row->exact + at + 2 + numbers * m;
+        const float narrow_u = (float)u, narrow_v = (float)v;
+        quad narrow[3];
+
+        error[0] = fmax(error[0], map_error(solid, 64, maps[m], size, row, expected, u, v));
+        sample_light(solid, 64, maps[m], row, narrow_u, narrow_v, &s, &there);
+        for (i = 0; i < numbers; i++)
+            narrow[i] = solid ? there.direction[i] : there.surface[i];
+        sample_light(solid, 32, maps[m], row, narrow_u, narrow_v, &s, &here);
+        error[1] = fmax(error[1], apart(solid, 32, size, &here, narrow));
+    }
+    psc_sampler_total(s.sampler, &value);
+    error[2] = relative(value, *total);
+}
+
+static void compare_ellipse(const struct csv *row, double error[GOLDEN_MEASURES])
+{
+    compare_light(0, row, error);
+}
+
+static void compare_ellipsoid(const struct csv *row, double error[GOLDEN_MEASURES])
+{
+    compare_light(1, row, error);
+}
+
 #define COLUMNS "kind,alpha,beta,e1,e2,x,y,z,solid_angle"
 #define MEASURES                                                          \
     {                                                                     \
@@ -192,6 +289,23 @@ const struct golden_quantity golden_disks[] = {
     {"disk_radial", COLUMNS, 9, compare_radial, MEASURES},
     {"disk_parallel", COLUMNS, 9, compare_parallel, MEASURES},
     {"disk_concentric", COLUMNS, 9, compare_concentric, MEASURES},
+    {"ellipse_maps",
+     "kind,cx,cy,cz,ux,uy,uz,vx,vy,vz,e1,e2,radial_s,radial_t,parallel_s,parallel_t,concentric_s,"
+     "concentric_t,solid_angle",
+     19, compare_ellipse,
+     {{"point f64, in semi-axes", 1e-14},
+      {"point f32, in semi-axes", 2e-6},
+      {"total, relative", 2e-15},
+      {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}}},
+    {"ellipsoid_maps",
+     "kind,cx,cy,cz,ux,uy,uz,vx,vy,vz,wx,wy,wz,e1,e2,radial_x,radial_y,radial_z,parallel_x,"
+     "parallel_y,parallel_z,concentric_x,concentric_y,concentric_z,solid_angle",
+     25, compare_ellipsoid,
+     {{"direction f64, in the light's size", 1e-14},
+      {"direction f32, in the light's size", 2e-6},
+      /* conjugate semi-axes of an ellipsoid 1e-4 thin: its thickness is the difference of them */
+      {"total, relative", 2e-14},
+      {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}}},
     {NULL, NULL, 0, NULL,
      {{NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}}},
 };

@@ -1,42 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "reference.h"
 
-enum { NODES = 24 };
+#include "gauss.h"
 
 typedef quad density(const struct reference *r, quad tau);
 
-/* Gauss-Legendre nodes and weights on [0, 1], by Newton's method on the Legendre polynomial. */
-static void gauss(quad node[NODES], quad weight[NODES])
-{
-    int i, k, n;
-
-    for (i = 0; i < NODES; i++) {
-        quad x = cos(3.14159265358979 * (i + 0.75) / (NODES + 0.5)), slope = 1;
-        for (n = 0; n < 6; n++) {
-            quad p = 1, before = 0;
-            for (k = 1; k <= NODES; k++) {
-                quad next = ((2 * k - 1) * x * p - (k - 1) * before) / k;
-                before = p;
-                p = next;
-            }
-            slope = NODES * (x * p - before) / (x * x - 1);
-            x -= p / slope;
-        }
-        node[i] = (1 + x) / 2;
-        weight[i] = 1 / ((1 - x * x) * slope * slope);
-    }
-}
-
 static quad panel(const struct reference *r, density *f, quad from, quad to)
 {
-    static quad node[NODES], weight[NODES];
     quad sum = 0;
     int i;
 
-    if (weight[0] == 0)
-        gauss(node, weight);
-    for (i = 0; i < NODES; i++)
-        sum += weight[i] * f(r, from + (to - from) * node[i]);
+    for (i = 0; i < GAUSS_NODES; i++)
+        sum += gauss_weight(i) * f(r, from + (to - from) * gauss_node(i));
     return (to - from) * sum;
 }
 

@@ -150,10 +150,10 @@ static void along_axes(const double *g, const double offset[3], double st[2])
 {
     double n[3], m[3];
 
-    cross(g + 3, g + 6, n);
-    cross(offset, g + 6, m);
+    exact_cross(g + 3, g + 6, n);
+    exact_cross(offset, g + 6, m);
     st[0] = dot(m, n) / dot(n, n);
-    cross(g + 3, offset, m);
+    exact_cross(g + 3, offset, m);
     st[1] = dot(m, n) / dot(n, n);
 }
 
@@ -161,7 +161,7 @@ static double ellipse_hit(const double *g, const double from[3], const double di
 {
     double n[3], offset[3], st[2], along;
 
-    cross(g + 3, g + 6, n);
+    exact_cross(g + 3, g + 6, n);
     along = meet_plane(g, n, from, direction, offset);
     along_axes(g, offset, st);
     return along > 0.0 && st[0] * st[0] + st[1] * st[1] <= 1.0 ? along : -1.0;
@@ -171,7 +171,7 @@ static double ellipse_surface(const double *g, const double point[3], double nor
 {
     double n[3], offset[3], st[2], off, over, size;
 
-    cross(g + 3, g + 6, n);
+    exact_cross(g + 3, g + 6, n);
     off = off_plane(g, n, point, normal);
     subtract3(point, g, offset);
     along_axes(g, offset, st);
@@ -245,7 +245,7 @@ static void to_sphere(const double *g, const double offset[3], double unit[3])
     int k;
 
     for (k = 0; k < 3; k++) {
-        cross(g + 3 + 3 * ((k + 1) % 3), g + 3 + 3 * ((k + 2) % 3), n);
+        exact_cross(g + 3 + 3 * ((k + 1) % 3), g + 3 + 3 * ((k + 2) % 3), n);
         unit[k] = dot(n, offset) / dot(n, g + 3 + 3 * k);
     }
 }
@@ -272,7 +272,7 @@ static double ellipsoid_surface(const double *g, const double point[3], double n
     for (k = 0; k < 3; k++) {
         const double *axis = g + 3 + 3 * k;
 
-        cross(g + 3 + 3 * ((k + 1) % 3), g + 3 + 3 * ((k + 2) % 3), n);
+        exact_cross(g + 3 + 3 * ((k + 1) % 3), g + 3 + 3 * ((k + 2) % 3), n);
         for (i = 0; i < 3; i++)
             normal[i] += unit[k] * n[i] / dot(n, axis);
     }

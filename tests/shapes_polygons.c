@@ -3,32 +3,6 @@
 #include "exact.h"
 #include "vectors.h"
 
-/* Adds the product a b to the unevaluated sum of two numbers. */
-static void add_product(double a, double b, double sum[2])
-{
-    const double p = a * b, error = fma(a, b, -p);
-    const double s = sum[0] + p, t = s - sum[0];
-
-    sum[1] += (sum[0] - (s - t)) + (p - t) + error;
-    sum[0] = s;
-}
-
-/* The cross product, whose length is as right as its direction: the plain one of two edges of a
-   needle may have no digit that is. */
-static void exact_cross(const double a[3], const double b[3], double out[3])
-{
-    int i;
-
-    for (i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        double sum[2] = {0.0, 0.0};
-
-        add_product(a[j], b[k], sum);
-        add_product(-a[k], b[j], sum);
-        out[i] = sum[0] + sum[1];
-    }
-}
-
 /* to - from, and what rounding took from that. */
 static void exact_edge(const double *from, const double *to, double edge[3], double rest[3])
 {

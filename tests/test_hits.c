@@ -97,6 +97,23 @@ static double density_error(const struct light *light, double total,
     }
 }
 
+/* How far the normal next to a point turns when that is moved by a step in any direction. */
+static double normal_motion(const struct light *light, const double point[3],
+                            const double normal[3], double step)
+{
+    double sum = 0.0;
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        double moved[3] = {point[0], point[1], point[2]}, other[3];
+
+        moved[i] += 4.0 * step;
+        light->shape->surface(light->geometry, moved, other);
+        sum += distance(normal, other);
+    }
+    return sum;
+}
+
 static void check(int bits, const struct light *light, const psc_sampler *sampler, double u,
                   double v, psc_result result, const psc_light_sample_f64 *s, struct errors *e)
 {
@@ -138,7 +155,7 @@ static void check(int bits, const struct light *light, const psc_sampler *sample
     for (i = 0; i < 3; i++)
         other[i] = light->position[i] + s->distance * s->direction[i];
     worst_add(&e->along, distance(s->point, other) / (reach * unit), text, name, bits, u, v);
-    off = distance(s->normal, normal) * (shape->flat ? 1.0 : light->reach / reach);
+    off = distance(s->normal, normal) - normal_motion(light, s->point, normal, reach * unit);
     worst_add(&e->normal, off / unit, text, name, bits, u, v);
     if (shape->texture) {
         shape->texture(light->geometry, s->surface, other);

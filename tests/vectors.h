@@ -12,6 +12,32 @@ static inline void cross(const double a[3], const double b[3], double c[3])
     c[2] = a[0] * b[1] - a[1] * b[0];
 }
 
+/* Adds the product a b to the unevaluated sum of two numbers. */
+static inline void add_product(double a, double b, double sum[2])
+{
+    const double p = a * b, error = fma(a, b, -p);
+    const double s = sum[0] + p, t = s - sum[0];
+
+    sum[1] += (sum[0] - (s - t)) + (p - t) + error;
+    sum[0] = s;
+}
+
+/* The cross product, whose length is as right as its direction: the plain one of two edges of a
+   needle may have no digit that is. */
+static inline void exact_cross(const double a[3], const double b[3], double out[3])
+{
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        double sum[2] = {0.0, 0.0};
+
+        add_product(a[j], b[k], sum);
+        add_product(-a[k], b[j], sum);
+        out[i] = sum[0] + sum[1];
+    }
+}
+
 static inline double dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
