@@ -35,6 +35,13 @@
     -0x1.a1fe88baf72d4p-7, 0x1.aef1a8e977bf8p-8, -0x1.57cc888719aa0p-9, \
     0x1.8a2f3ae537bb1p-11, -0x1.1f0adb240a1fbp-13, 0x1.8d087295ab9f4p-17
 
+/* (t - atan t) / t^3 of t^2 in [0, 0.18]: relative error 2.2e-16 */
+#define PSC_ATAN_NEAR_F64 \
+    0x1.5555555555554p-2, -0x1.9999999998fccp-3, 0x1.2492492409ac8p-3, \
+    -0x1.c71c716a0319fp-4, 0x1.745d06f200126p-4, -0x1.3b1203918f4bcp-4, \
+    0x1.10f55833e4fe7p-4, -0x1.df8f741d6f6c5p-5, 0x1.9ede38ddc7328p-5, \
+    -0x1.3c809b716f6d0p-5, 0x1.2e84aac3c544fp-6
+
 /* (N - 1) / w, N = 3/2 (x - sin x cos x) / sin^3 x, of w as in segment.h: relative error 1.1e-16 */
 #define PSC_SEGMENT_F64 \
     0x1.3333333333333p+0, 0x1.5643a55141cccp-1, 0x1.50bf9a865abd1p-2, \

@@ -4,7 +4,7 @@
 #include "polygon_light.h"
 
 const struct psc_shape_row psc_shape_polygon = {
-    PSC_SHAPE_POLYGON, PSC_KERNEL_POLYGON, {1, 0, 1, 0}, psc_polygon_solid_angle_of,
+    PSC_SHAPE_POLYGON, PSC_KERNEL_POLYGON, {1, 1, 1, 0}, psc_polygon_solid_angle_of,
     psc_polygon_projected_solid_angle, psc_polygon_area, psc_polygon_pdf, psc_polygon_invert};
 
 static int is_vertex_count(size_t count)
@@ -25,12 +25,20 @@ static const double *vertex_at(const double *vertices, ptrdiff_t stride, size_t 
     return (const double *)(const void *)((const char *)vertices + (ptrdiff_t)i * stride);
 }
 
+static void vertex_parts(const double *vertices, ptrdiff_t stride, size_t count,
+                         const double *parts[PSC_MAX_VERTICES])
+{
+    size_t i;
+
+    for (i = 0; i < count; i++)
+        parts[i] = vertices ? vertex_at(vertices, stride, i) : NULL;
+}
+
 psc_result psc_build_polygon(psc_sampler *sampler, const psc_technique *technique,
                              const psc_receiver *receiver, size_t count, const double *vertices,
                              ptrdiff_t stride)
 {
-    const double *parts[PSC_MAX_VERTICES] = {NULL};
-    size_t i;
+    const double *parts[PSC_MAX_VERTICES];
 
     if (!sampler)
         return PSC_ERROR_NULL_POINTER;
@@ -38,8 +46,7 @@ psc_result psc_build_polygon(psc_sampler *sampler, const psc_technique *techniqu
         psc_clear(sampler);
         return PSC_ERROR_VERTEX_COUNT;
     }
-    for (i = 0; vertices && i < count; i++)
-        parts[i] = vertex_at(vertices, stride, i);
+    vertex_parts(vertices, stride, count, parts);
     return psc_build(sampler, &psc_shape_polygon, geometry_of(count), technique, receiver, parts);
 }
 
@@ -108,4 +115,15 @@ psc_result psc_polygon_solid_angle(const double position[3], size_t count, const
     }
     *solid_angle = 2.0 * half;
     return *solid_angle > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
+}
+
+psc_result psc_polygon_form_factor(const psc_receiver *receiver, size_t count,
+                                   const double *vertices, ptrdiff_t stride, double *form_factor)
+{
+    const double *parts[PSC_MAX_VERTICES];
+
+    if (!is_vertex_count(count))
+        return PSC_ERROR_VERTEX_COUNT;
+    vertex_parts(vertices, stride, count, parts);
+    return psc_form_factor(&psc_shape_polygon, geometry_of(count), receiver, parts, form_factor);
 }

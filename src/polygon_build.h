@@ -4,17 +4,8 @@
 #define PSC_SRC_POLYGON_BUILD_H
 
 #include "fan_build.h"
+#include "projection.h"
 #include "sampler.h"
-
-PSC_LANE void vertex_words(const struct psc_polygon_view *view, int i, struct psc_word2 *to)
-{
-    int c;
-
-    for (c = 0; c < 3; c++) {
-        to->high[c] = view->vertex[i][c];
-        to->low[c] = view->low[i][c];
-    }
-}
 
 /* The triangle of the vertices a, b, c of a view, which are at those places of `vertices`. */
 PSC_LANE void triangle_words(const struct psc_polygon_view *view, const double *vertices, int a,
@@ -31,28 +22,16 @@ PSC_LANE void triangle_words(const struct psc_polygon_view *view, const double *
     edge_of(va, vc, view->scale, o->edge_ac.high, o->edge_ac.low);
 }
 
-/* The height of a vertex above the plane with normal n, which has length 1 / shrink. */
-PSC_LANE double height_of(const double n[3], double shrink, const double high[3],
-                          const double low[3])
-{
-    double sum = 0.0, error = 0.0;
-    int c;
-
-    for (c = 0; c < 3; c++)
-        add_product(n[c], high[c], &sum, &error);
-    return (sum + (error + dot(n, low))) * shrink;
-}
-
 /* The receiver's plane: heights of the vertices, and where the light lies to it. */
 PSC_LANE psc_case see_horizon(const double *normal, const struct psc_polygon_view *view,
-                              double up[3], double *height)
+                              double n[3], double up[3], double *height)
 {
     int above = 0, below = 0, i;
-    double n[3], shrink;
+    double shrink;
 
     if (!normal) {
         for (i = 0; i < 3; i++)
-            up[i] = 0.0;
+            n[i] = up[i] = 0.0;
         for (i = 0; i < view->count; i++)
             height[i] = 0.0;
         return PSC_CASE_NO_HORIZON;
@@ -82,10 +61,13 @@ struct psc_fan_places {
     double s_a, t_a, s_b, t_b, s_c, t_c;
 };
 
-/* Adds a triangle to the fan, unless nothing is seen of it. */
-PSC_LANE void fan_add(struct psc_polygon_light *l, int area, const struct psc_triangle_words *w,
-                      const struct psc_fan_places *at, struct psc_fan_sums *sums)
+/* Adds a triangle to the fan, unless nothing is seen of it; by projected solid angle to the sums
+   alone. */
+PSC_LANE void fan_add(struct psc_polygon_light *l, psc_measure measure,
+                      const struct psc_triangle_words *w, const struct psc_fan_places *at,
+                      struct psc_fan_sums *sums)
 {
+    const int area = measure == PSC_MEASURE_AREA;
     const double unit = 1.0 / l->view.scale;
     struct psc_face_f64 *face = l->face + l->triangles;
     struct psc_triangle_view seen;
@@ -99,6 +81,8 @@ PSC_LANE void fan_add(struct psc_polygon_light *l, int area, const struct psc_tr
         return;
     sums->volume += seen.volume;
     sums->half += seen.half;
+    if (measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE)
+        return;
     fan_build(&seen, &w->b, &w->edge_c, l->up, at->height_b, l->fan + l->triangles);
     for (i = 0; i < 3; i++) {
         face->pivot[i] = at->pivot[i];
@@ -127,10 +111,65 @@ PSC_LANE void fan_add(struct psc_polygon_light *l, int area, const struct psc_tr
     l->triangles++;
 }
 
+/* The vertices from the first, in world space, and their coordinates on the light's surface. */
+struct psc_polygon_places {
+    const double *first;
+    double offset[PSC_MAX_VERTICES][3];
+    const double (*place)[2];
+};
+
+PSC_LANE void vertex_offsets(const double *vertices, int count, struct psc_polygon_places *to)
+{
+    int i, c;
+
+    for (i = 0; i < count; i++)
+        for (c = 0; c < 3; c++)
+            to->offset[i][c] = vertices[3 * i + c] - vertices[c];
+}
+
+/* Coordinates on the surface of a triangle, and of a rectangle. */
+static const double triangle_places[3][2] = {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}};
+static const double rectangle_places[4][2] = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
+
+/* A light as its projection wants it. */
+PSC_LANE void projection_of(const struct psc_polygon_light *l, struct psc_projection *o)
+{
+    const double volume = l->affine == 4 ? 0.5 * l->volume : l->volume;
+
+    o->view = &l->view;
+    o->up = l->up;
+    o->normal = l->receiver;
+    o->height = l->height;
+    o->exact = l->affine == 3 ? triangle_places : l->affine == 4 ? rectangle_places : NULL;
+    o->volume = l->turns_left ? volume : -volume;
+    o->turns_left = l->turns_left;
+    o->offset = NULL;
+    o->place = NULL;
+}
+
+static inline void projected_finish(psc_sampler *s, const struct psc_polygon_places *places)
+{
+    struct psc_sector_light *const to = &s->polygon.projected;
+    struct psc_projection what;
+    int i;
+
+    projection_of(&s->polygon, &what);
+    what.offset = places->offset;
+    what.place = places->place;
+    s->sides = project(&what, s->facing == PSC_FACING_BOTH, to);
+    s->total = 0.0;
+    for (i = 0; i < s->sides; i++)
+        s->total += to->side[i].total;
+    s->split = s->sides == 2 ? to->side[0].total / s->total : 1.0;
+    for (i = 0; i < 3; i++)
+        to->pivot[i] = places->first[i];
+}
+
 /* What is left when all triangles are there. front is the sign of the volume for a receiver that
-   the light's normal points to. */
+   the light's normal points to; places are for projected solid angle. */
 PSC_LANE psc_result polygon_finish(psc_sampler *s, const struct psc_request *request,
-                                   const struct psc_fan_sums *sums, double front)
+                                   const struct psc_fan_sums *sums, double front,
+                                   const struct psc_polygon_places *places)
 {
     struct psc_polygon_light *l = &s->polygon;
     const double unit = 1.0 / l->view.scale;
@@ -140,16 +179,21 @@ PSC_LANE psc_result polygon_finish(psc_sampler *s, const struct psc_request *req
     if (!(sums->volume != 0.0) || (request->one_sided && sums->volume * front < 0.0) ||
         (s->visibility == PSC_CASE_EMPTY && s->facing == PSC_FACING_ONE))
         return PSC_EMPTY;
+    for (i = 0; i < 3; i++)
+        l->normal[i] = sums->normal[i] * (-front / twice_area);
+    l->turns_left = sums->volume * front < 0.0;
+    l->volume = ABS(sums->volume);
+    l->solid_angle = 2.0 * sums->half;
+    l->area = 0.5 * twice_area * unit * unit;
+    if (s->projected) {
+        projected_finish(s, places);
+        return PSC_SUCCESS;
+    }
     for (i = 0; l->triangles > 1 && i < l->triangles; i++) {
         l->below[i] /= sums->parts;
         /* Nothing falls to a share smaller than that. */
         l->per_share[i] = MIN(sums->parts / l->per_share[i], 0x1p96);
     }
-    for (i = 0; i < 3; i++)
-        l->normal[i] = sums->normal[i] * (-front / twice_area);
-    l->volume = ABS(sums->volume);
-    l->solid_angle = 2.0 * sums->half;
-    l->area = 0.5 * twice_area * unit * unit;
     s->total = s->measure == PSC_MEASURE_AREA ? l->area : l->solid_angle;
     s->sides = 1;
     s->split = 1.0;
@@ -166,16 +210,19 @@ PSC_LANE psc_result triangle_build(psc_sampler *s, const struct psc_request *req
     struct psc_polygon_light *l = &s->polygon;
     struct psc_fan_places at = {vertices + 3, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0};
     struct psc_fan_sums sums = NO_SUMS;
+    struct psc_polygon_places places = {.first = vertices, .place = triangle_places};
     struct psc_triangle_words words;
 
     if (!see_polygon(request->position, 3, vertices, &l->view))
         return PSC_ERROR_NOT_FINITE;
-    s->visibility = see_horizon(request->normal, &l->view, l->up, l->height);
+    s->visibility = see_horizon(request->normal, &l->view, l->receiver, l->up, l->height);
     triangle_words(&l->view, vertices, 0, 1, 2, &words);
     at.height_b = l->height[1];
     l->triangles = 0;
-    fan_add(l, s->measure == PSC_MEASURE_AREA, &words, &at, &sums);
-    return polygon_finish(s, request, &sums, -1.0);
+    l->affine = 3;
+    fan_add(l, s->measure, &words, &at, &sums);
+    vertex_offsets(vertices, 3, &places);
+    return polygon_finish(s, request, &sums, -1.0, &places);
 }
 
 /* ---- Polygons ---- */
@@ -259,8 +306,9 @@ PSC_LANE psc_result polygon_build(psc_sampler *s, const struct psc_request *requ
                                   const double *vertices)
 {
     struct psc_polygon_light *l = &s->polygon;
-    const int count = request->numbers / 3, area = s->measure == PSC_MEASURE_AREA;
+    const int count = request->numbers / 3;
     struct psc_fan_sums sums = NO_SUMS;
+    struct psc_polygon_places places;
     double spoke[PSC_MAX_VERTICES][3], place[PSC_MAX_VERTICES][2], low[3];
     psc_result result;
     int i;
@@ -270,14 +318,18 @@ PSC_LANE psc_result polygon_build(psc_sampler *s, const struct psc_request *requ
     result = check_polygon(&l->view, vertices);
     if (result != PSC_SUCCESS)
         return result;
-    s->visibility = see_horizon(request->normal, &l->view, l->up, l->height);
+    s->visibility = see_horizon(request->normal, &l->view, l->receiver, l->up, l->height);
     for (i = 1; i < count; i++)
         edge_of(vertices, vertices + 3 * i, l->view.scale, spoke[i], low);
+    places.first = vertices;
+    places.place = (const double(*)[2])place;
+    vertex_offsets(vertices, count, &places);
+    place[0][0] = place[0][1] = place[1][1] = place[count - 1][0] = 0.0;
     place[1][0] = place[count - 1][1] = 1.0;
-    place[1][1] = place[count - 1][0] = 0.0;
     for (i = 2; i + 1 < count; i++)
         surface_places(spoke[1], spoke[count - 1], spoke[i], place[i], place[i] + 1);
     l->triangles = 0;
+    l->affine = count == 3 ? 3 : 0;
     for (i = 1; i + 1 < count; i++) {
         const struct psc_fan_places at = {
             vertices, l->height[0], place[i][0],     place[i][1],
@@ -285,9 +337,9 @@ PSC_LANE psc_result polygon_build(psc_sampler *s, const struct psc_request *requ
         struct psc_triangle_words words;
 
         triangle_words(&l->view, vertices, i, 0, i + 1, &words);
-        fan_add(l, area, &words, &at, &sums);
+        fan_add(l, s->measure, &words, &at, &sums);
     }
-    return polygon_finish(s, request, &sums, 1.0);
+    return polygon_finish(s, request, &sums, 1.0, &places);
 }
 
 #endif

@@ -19,6 +19,7 @@
 
 #include "results_tmpl.h"
 #include "sides_tmpl.h"
+#include "sector_map_tmpl.h"
 #include "polygon_kernel_tmpl.h"
 #include "polygon_wave_tmpl.h"
 

@@ -137,6 +137,8 @@ static psc_result FN(polygon_sample)(const psc_sampler *s, real u, real v,
 
     if (s->sides == 0)
         return PSC_EMPTY;
+    if (s->projected)
+        return FN(sector_sample)(s, u, v, out);
     if (s->map == PSC_MAP_PARALLEL)
         return FN(rectangle_sample)(s, u, v, out);
     k = FN(pick_triangle)(l, u, &u);
@@ -312,7 +314,10 @@ static void FN(polygon_side_block)(const psc_sampler *s, int side, size_t n, con
         s->measure == PSC_MEASURE_AREA ? FN(flat_block) : FN(fan_block);
     size_t i;
 
-    (void)side;
+    if (s->projected) {
+        FN(sector_block)(s, side, n, u, v, surface, r);
+        return;
+    }
     if (s->map == PSC_MAP_PARALLEL)
         (s->measure == PSC_MEASURE_AREA ? FN(rectangle_area_block) : FN(rectangle_block))(s, n, u,
                                                                                           v, r);

@@ -2,6 +2,8 @@
 #include "polygon_light.h"
 
 #include "fan_inverse.h"
+#include "polygon_build.h"
+#include "sector_inverse.h"
 
 #undef PSC_BITS
 #define PSC_BITS 64
@@ -18,8 +20,20 @@ psc_result psc_polygon_solid_angle_of(const psc_sampler *s, double *value)
 
 psc_result psc_polygon_projected_solid_angle(const psc_sampler *s, double *value)
 {
-    (void)value;
-    return s->facing == PSC_FACING_NONE ? PSC_ERROR_NEEDS_NORMAL : PSC_ERROR_UNSUPPORTED_TECHNIQUE;
+    struct psc_sector_light sectors;
+    struct psc_projection what;
+    int i, sides;
+
+    if (s->facing == PSC_FACING_NONE)
+        return PSC_ERROR_NEEDS_NORMAL;
+    *value = s->sides > 0 && s->projected ? s->total : 0.0;
+    if (s->sides > 0 && !s->projected) {
+        projection_of(&s->polygon, &what);
+        sides = project(&what, s->facing == PSC_FACING_BOTH, &sectors);
+        for (i = 0; i < sides; i++)
+            *value += sectors.side[i].total;
+    }
+    return *value > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
 }
 
 psc_result psc_polygon_area(const psc_sampler *s, double *value)
@@ -58,11 +72,48 @@ static int find_triangle(const struct psc_polygon_light *l, const double directi
     return found;
 }
 
+/* The side whose directions include this one, which is then in its frame; NULL outside. */
+static const struct psc_sector_side *find_side(const psc_sampler *s, const double direction[3],
+                                               double epsilon, double local[3])
+{
+    const struct psc_sector_light *const l = &s->polygon.projected;
+    int i;
+
+    for (i = 0; i < s->sides; i++)
+        if (side_holds(l, l->side + i, direction, 32.0 * epsilon, local))
+            return l->side + i;
+    return NULL;
+}
+
+static double projected_pdf(const psc_sampler *s, const double direction[3], double epsilon)
+{
+    double local[3];
+
+    return find_side(s, direction, epsilon, local) ? local[2] * s->inverse_total : 0.0;
+}
+
+static int projected_invert(const psc_sampler *s, const double direction[3], double epsilon,
+                            double uv[2])
+{
+    const struct psc_sector_light *const l = &s->polygon.projected;
+    double local[3];
+    const struct psc_sector_side *const side = find_side(s, direction, epsilon, local);
+
+    if (!side)
+        return 0;
+    side_invert(l, side, local, uv);
+    if (s->sides == 2)
+        uv[0] = side == l->side ? uv[0] * s->split : 1.0 - uv[0] * (1.0 - s->split);
+    return 1;
+}
+
 double psc_polygon_pdf(const psc_sampler *s, const double direction[3], double epsilon)
 {
     const struct psc_polygon_light *l = &s->polygon;
     double t;
 
+    if (s->projected)
+        return projected_pdf(s, direction, epsilon);
     if (s->map == PSC_MAP_PARALLEL) {
         struct psc_rectangle_point p;
         double vector[3];
@@ -117,7 +168,10 @@ psc_result psc_polygon_invert(const psc_sampler *s, const double direction[3], d
     const struct psc_polygon_light *l = &s->polygon;
     int i;
 
-    if (s->map == PSC_MAP_PARALLEL) {
+    if (s->projected) {
+        if (!projected_invert(s, direction, epsilon, uv))
+            return PSC_OUTSIDE;
+    } else if (s->map == PSC_MAP_PARALLEL) {
         struct psc_rectangle_point p;
 
         if (!rectangle_look(&l->rectangle, direction, 32.0 * epsilon, &p))

@@ -5,26 +5,37 @@
 
 #include "fan.h"
 #include "rectangle_map.h"
+#include "sector_light.h"
 
 enum { PSC_MAX_FAN = PSC_MAX_VERTICES - 2 };
 
 struct psc_polygon_light {
     struct psc_polygon_view view;
     double normal[3];                /* the light's own, of length 1 */
-    double up[3];                    /* the receiver's, of length 1; 0 when it has none */
+    double up[3], receiver[3];       /* the receiver's, of length 1, or 0 when it has none; and as
+                                        it is, but for a power of two */
     double height[PSC_MAX_VERTICES]; /* of the vertices above the receiver's plane, in the view */
     double area, solid_angle;        /* of the whole light */
     double volume;                   /* area times twice the height of the receiver above the
                                         light's plane, in units of the view */
 
-    /* The triangles that u selects from, without those of no size; below and per_share give the
-       share of u of all before, and 1 / the share of this one. */
-    int triangles;
-    double below[PSC_MAX_FAN], per_share[PSC_MAX_FAN];
-    struct psc_fan_f64 fan[PSC_MAX_FAN];
-    struct psc_face_f64 face[PSC_MAX_FAN];
-    struct psc_flat flat[PSC_MAX_FAN];
-    struct psc_rectangle rectangle; /* for maps along the edges */
+    int affine;                      /* vertices are in one plane to rounding: 3 or 4 of them are
+                                        of a triangle or parallelogram, 0: of any polygon */
+    int turns_left;                  /* they run counterclockwise seen from the receiver */
+
+    union {
+        struct psc_sector_light projected;
+        struct {
+            /* The triangles that u selects from, without those of no size; below and per_share
+               give the share of u of all before, and 1 / the share of this one. */
+            int triangles;
+            double below[PSC_MAX_FAN], per_share[PSC_MAX_FAN];
+            struct psc_fan_f64 fan[PSC_MAX_FAN];
+            struct psc_face_f64 face[PSC_MAX_FAN];
+            struct psc_flat flat[PSC_MAX_FAN];
+            struct psc_rectangle rectangle; /* for maps along the edges */
+        };
+    };
 };
 
 #endif

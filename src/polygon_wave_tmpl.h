@@ -30,11 +30,11 @@ PSC_LANE void FN(build_element)(const struct psc_wave *wave, int has_normal, siz
     struct psc_triangle_view seen;
     struct psc_fan_f64 wide;
     struct FN(psc_fan) fan;
-    double up[3], height[3], length, total, finite;
+    double scaled[3], up[3], height[3], length, total, finite;
     int c, fit, hidden, extreme;
 
     fit = see_polygon(position, 3, vertices, &view);
-    see_horizon(has_normal ? normal : NULL, &view, up, height);
+    see_horizon(has_normal ? normal : NULL, &view, scaled, up, height);
     triangle_words(&view, vertices, 0, 1, 2, &words);
     extreme = see_lengths(&words, &seen);
     see_ordinary_triangle(&words, &seen);

@@ -6,7 +6,7 @@
 static const char geometry[] = "vvv"; /* corner, edge_u, edge_v */
 
 const struct psc_shape_row psc_shape_rectangle = {
-    PSC_SHAPE_RECTANGLE, PSC_KERNEL_RECTANGLE, {3, 0, 3, 0}, psc_polygon_solid_angle_of,
+    PSC_SHAPE_RECTANGLE, PSC_KERNEL_RECTANGLE, {3, 1, 3, 0}, psc_polygon_solid_angle_of,
     psc_polygon_projected_solid_angle, psc_polygon_area, psc_polygon_pdf, psc_polygon_invert};
 
 psc_result psc_build_rectangle(psc_sampler *sampler, const psc_technique *technique,
@@ -69,4 +69,13 @@ psc_result psc_rectangle_solid_angle(const double position[3], const double corn
     rectangle_see(&words, &rectangle, &seen);
     *solid_angle = 2.0 * rectangle.half;
     return *solid_angle > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
+}
+
+psc_result psc_rectangle_form_factor(const psc_receiver *receiver, const double corner[3],
+                                     const double edge_u[3], const double edge_v[3],
+                                     double *form_factor)
+{
+    const double *const parts[] = {corner, edge_u, edge_v};
+
+    return psc_form_factor(&psc_shape_rectangle, geometry, receiver, parts, form_factor);
 }

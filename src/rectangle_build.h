@@ -188,8 +188,8 @@ PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *re
                                     const double *g)
 {
     struct psc_polygon_light *l = &s->polygon;
-    const int area = s->measure == PSC_MEASURE_AREA;
     struct psc_fan_sums sums = NO_SUMS;
+    struct psc_polygon_places places = {.first = g, .place = rectangle_places};
     struct psc_triangle_view seen;
     struct psc_rectangle_words o;
     psc_result result;
@@ -198,9 +198,16 @@ PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *re
     result = see_rectangle(request->position, g, &l->view, &o);
     if (result != PSC_SUCCESS)
         return result;
-    s->visibility = see_horizon(request->normal, &l->view, l->up, l->height);
+    s->visibility = see_horizon(request->normal, &l->view, l->receiver, l->up, l->height);
     l->triangles = 0;
-    if (s->map == PSC_MAP_PARALLEL) {
+    l->affine = 4;
+    for (c = 0; c < 3; c++) {
+        places.offset[0][c] = 0.0;
+        places.offset[1][c] = g[3 + c];
+        places.offset[3][c] = o.v.high[c] * (1.0 / l->view.scale);
+        places.offset[2][c] = g[3 + c] + places.offset[3][c];
+    }
+    if (s->map == PSC_MAP_PARALLEL || s->projected) {
         struct psc_rectangle *f = &l->rectangle;
 
         rectangle_see(&o, f, &seen);
@@ -227,7 +234,7 @@ PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *re
         words.edge_a = o.u;
         words.edge_c = o.diagonal;
         words.edge_ac = o.v;
-        fan_add(l, area, &words, at, &sums);
+        fan_add(l, s->measure, &words, at, &sums);
         words.a = words.c;
         vertex_words(&l->view, 3, &words.c);
         words.edge_a = o.diagonal;
@@ -235,9 +242,9 @@ PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *re
         for (c = 0; c < 3; c++)
             words.edge_ac.high[c] = -o.u.high[c];
         words.edge_ac.low[0] = words.edge_ac.low[1] = words.edge_ac.low[2] = 0.0;
-        fan_add(l, area, &words, at + 1, &sums);
+        fan_add(l, s->measure, &words, at + 1, &sums);
     }
-    return polygon_finish(s, request, &sums, 1.0);
+    return polygon_finish(s, request, &sums, 1.0, &places);
 }
 
 #endif

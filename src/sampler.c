@@ -125,6 +125,25 @@ psc_result psc_build(psc_sampler *sampler, const struct psc_shape_row *shape, co
     return result;
 }
 
+psc_result psc_form_factor(const struct psc_shape_row *shape, const char *kinds,
+                           const psc_receiver *receiver, const double *const parts[],
+                           double *form_factor)
+{
+    const psc_technique technique = {sizeof technique, PSC_MEASURE_PROJECTED_SOLID_ANGLE,
+                                     PSC_MAP_RADIAL, 0, NULL};
+    psc_sampler_storage storage;
+    psc_sampler *sampler;
+    psc_result result;
+
+    if (!form_factor)
+        return PSC_ERROR_NULL_POINTER;
+    psc_sampler_init(&storage, sizeof storage, &sampler);
+    result = psc_build(sampler, shape, kinds, &technique, receiver, parts);
+    if (result >= 0)
+        *form_factor = sampler->total * (1.0 / PSC_PI);
+    return result;
+}
+
 /* ---- Questions ---- */
 
 psc_result psc_sampler_describe(const psc_sampler *sampler, psc_description *description)

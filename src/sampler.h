@@ -116,6 +116,11 @@ psc_result psc_build(psc_sampler *sampler, const struct psc_shape_row *shape, co
                      const psc_technique *technique, const psc_receiver *receiver,
                      const double *const parts[]);
 
+/* Form factor of any shape that is offered by projected solid angle, radial; parts as above. */
+psc_result psc_form_factor(const struct psc_shape_row *shape, const char *kinds,
+                           const psc_receiver *receiver, const double *const parts[],
+                           double *form_factor);
+
 /* Builds and samples any shape for each element: what the public wavefront calls are. */
 psc_result psc_wavefront_f64(const struct psc_shape_row *shape, const char *kinds,
                              const psc_technique *technique, size_t count,

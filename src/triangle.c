@@ -6,7 +6,7 @@
 static const char geometry[] = "vvv"; /* v0, v1, v2 */
 
 const struct psc_shape_row psc_shape_triangle = {
-    PSC_SHAPE_TRIANGLE, PSC_KERNEL_TRIANGLE, {1, 0, 1, 0}, psc_polygon_solid_angle_of,
+    PSC_SHAPE_TRIANGLE, PSC_KERNEL_TRIANGLE, {1, 1, 1, 0}, psc_polygon_solid_angle_of,
     psc_polygon_projected_solid_angle, psc_polygon_area, psc_polygon_pdf, psc_polygon_invert};
 
 psc_result psc_build_triangle(psc_sampler *sampler, const psc_technique *technique,
@@ -64,4 +64,12 @@ psc_result psc_triangle_solid_angle(const double position[3], const double v0[3]
     see_triangle(&words, &seen);
     *solid_angle = 2.0 * seen.half;
     return *solid_angle > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
+}
+
+psc_result psc_triangle_form_factor(const psc_receiver *receiver, const double v0[3],
+                                    const double v1[3], const double v2[3], double *form_factor)
+{
+    const double *const parts[] = {v0, v1, v2};
+
+    return psc_form_factor(&psc_shape_triangle, geometry, receiver, parts, form_factor);
 }

@@ -314,26 +314,32 @@ FIELD(psc_description, reserved, 20, uint32_t *);
       (const double *, const double *, const double *, const double *, const double *, double *)) \
     F(56, triangle_solid_angle, int32_t, \
       (const double *, const double *, const double *, const double *, double *)) \
-    F(57, rectangle_solid_angle, int32_t, \
-      (const double *, const double *, const double *, const double *, double *)) \
-    F(58, polygon_solid_angle, int32_t, \
-      (const double *, size_t, const double *, ptrdiff_t, double *)) \
-    F(59, disk_form_factor, int32_t, \
-      (const psc_receiver *, const double *, const double *, double, double *)) \
-    F(60, ellipse_form_factor, int32_t, \
+    F(57, triangle_form_factor, int32_t, \
       (const psc_receiver *, const double *, const double *, const double *, double *)) \
-    F(61, ellipsoid_form_factor, int32_t, \
+    F(58, rectangle_solid_angle, int32_t, \
+      (const double *, const double *, const double *, const double *, double *)) \
+    F(59, rectangle_form_factor, int32_t, \
+      (const psc_receiver *, const double *, const double *, const double *, double *)) \
+    F(60, polygon_solid_angle, int32_t, \
+      (const double *, size_t, const double *, ptrdiff_t, double *)) \
+    F(61, polygon_form_factor, int32_t, \
+      (const psc_receiver *, size_t, const double *, ptrdiff_t, double *)) \
+    F(62, disk_form_factor, int32_t, \
+      (const psc_receiver *, const double *, const double *, double, double *)) \
+    F(63, ellipse_form_factor, int32_t, \
+      (const psc_receiver *, const double *, const double *, const double *, double *)) \
+    F(64, ellipsoid_form_factor, int32_t, \
       (const psc_receiver *, const double *, const double *, const double *, const double *, \
        double *)) \
-    F(62, table_size, size_t, (uint32_t)) \
-    F(63, table_init, int32_t, (void *, size_t, uint32_t, const psc_table **))
+    F(65, table_size, size_t, (uint32_t)) \
+    F(66, table_init, int32_t, (void *, size_t, uint32_t, const psc_table **))
 
 #define FUNCTION(place, name, result, parameters) \
     _Static_assert(_Generic(&psc_##name, result(*) parameters : 1, default : 0), "psc_" #name); \
     FIELD(psc_api_1, name, (place) * W, result(**) parameters);
 
 FUNCTIONS(FUNCTION)
-SIZE(psc_api_1, 64 * W, W);
+SIZE(psc_api_1, 67 * W, W);
 _Static_assert(_Generic(&psc_get_api, int32_t (*)(uint32_t, void *, size_t) : 1, default : 0),
                "psc_get_api");
 

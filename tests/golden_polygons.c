@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Triangles and rectangles by solid angle, for a receiver at the origin: triangle_solid_angle,
- * triangle_arvo, rectangle_solid_angle and rectangle_ufk.
+ * Triangles, rectangles and polygons, for a receiver at the origin: triangle_solid_angle,
+ * triangle_arvo, rectangle_solid_angle and rectangle_ufk by solid angle, and
+ * polygon_projected_solid_angle and triangle_projected.
  *
  * A direction is compared in units of its precision's rounding times 1 + amp_xi, the sum of the
  * lengths of its derivatives by xi1 and xi2: the least that rounding xi moves it by.
@@ -113,6 +114,50 @@ static void compare_ufk(const struct csv *row, double error[GOLDEN_MEASURES])
     error[1] = direction_error(s.sampler, 32, g[9], g[10], row->exact + 13, g[16]);
 }
 
+/* ---- Projected solid angle */
+
+/* In units of what rounding the vertices changes it by; no result at all counts as 0. */
+static void compare_projected(const struct csv *row, double error[GOLDEN_MEASURES])
+{
+    const double *v = row->number + 1, scale = 1.0 + row->number[29];
+    const size_t count = (size_t)row->number[0];
+    const psc_technique projected =
+        make_technique(PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_RADIAL);
+    const psc_technique around = make_technique(PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL);
+    const psc_receiver receiver = make_receiver(origin, row->number + 25, 0);
+    const ptrdiff_t stride = 3 * sizeof *v;
+    double value[4] = {NAN, NAN, NAN, NAN};
+    struct test_sampler s;
+    int i;
+
+    psc_build_polygon(make_sampler(&s), &projected, &receiver, count, v, stride);
+    psc_sampler_total(s.sampler, value);
+    psc_sampler_projected_solid_angle(s.sampler, value + 1);
+    psc_build_polygon(s.sampler, &around, &receiver, count, v, stride);
+    psc_sampler_projected_solid_angle(s.sampler, value + 2);
+    psc_polygon_form_factor(&receiver, count, v, stride, value + 3);
+    value[3] *= 3.14159265358979323846;
+    error[0] = error[1] = 0.0;
+    for (i = 0; i < 4; i++)
+        if (row->number[28] > 0.0)
+            error[i == 3] = fmax(error[i == 3], relative(value[i], row->exact[28]) / scale);
+        else
+            error[i == 3] = fmax(error[i == 3], fabs(value[i]));
+}
+
+static void compare_sector_map(const struct csv *row, double error[GOLDEN_MEASURES])
+{
+    const double *v = row->number;
+    const psc_technique technique =
+        make_technique(PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_RADIAL);
+    const psc_receiver receiver = make_receiver(origin, v + 9, 0);
+    struct test_sampler s;
+
+    psc_build_triangle(make_sampler(&s), &technique, &receiver, v, v + 3, v + 6);
+    error[0] = direction_error(s.sampler, 64, v[12], v[13], row->exact + 14, v[17]);
+    error[1] = direction_error(s.sampler, 32, v[12], v[13], row->exact + 14, v[17]);
+}
+
 #define TOTAL_MEASURES                                                                  \
     {                                                                                   \
         {"solid angle, relative", 1e-15},                                               \
@@ -141,6 +186,14 @@ const struct golden_quantity golden_polygons[] = {
     {"rectangle_ufk",
      "sx,sy,sz,exx,exy,exz,eyx,eyy,eyz,xi1,xi2,s_fraction,t_fraction,dx,dy,dz,amp_xi", 17,
      compare_ufk, DIRECTION_MEASURES},
+    {"polygon_projected_solid_angle",
+     "n,x0,y0,z0,x1,y1,z1,x2,y2,z2,x3,y3,z3,x4,y4,z4,x5,y5,z5,x6,y6,z6,x7,y7,z7,nx,ny,nz,psa,amp_v",
+     30, compare_projected,
+     {{"projected solid angle, relative / (1 + amp)", 1e-15},
+      {"form factor, relative / (1 + amp)", 1e-15},
+      {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}}},
+    {"triangle_projected", "ax,ay,az,bx,by,bz,cx,cy,cz,nx,ny,nz,xi1,xi2,dx,dy,dz,amp_xi,amp_v", 19,
+     compare_sector_map, DIRECTION_MEASURES},
     {NULL, NULL, 0, NULL,
      {{NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}}},
 };

@@ -39,6 +39,9 @@ struct shape {
        maps begin. The axes of a cone do not: on a way around a receiver that sees it circular
        they come back reversed, so that no rule for them is without a jump. */
     double jumps;
+    /* The same by projected solid angle, of lights whose azimuths begin anew as the receiver's
+       normal crosses a side, or as the horizon cuts off another vertex. */
+    double azimuth_jumps;
 
     /* The public calls. The geometry is the numbers of all parts, `in` has an input for each part;
        where they are vertices in one array, in[0] is that array. SHAPE_WAVES writes the waves. */

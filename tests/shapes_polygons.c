@@ -58,6 +58,7 @@ static void affine(const double *origin, const double first[3], const double sec
 
 static const struct test_technique fan_techniques[] = {
     {"solid angle, radial", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL},
+    {"projected solid angle, radial", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_RADIAL},
     {"area, radial", PSC_MEASURE_AREA, PSC_MAP_RADIAL},
     {NULL, 0, 0},
 };
@@ -222,10 +223,10 @@ static void polygon_texture(int n, const double *g, const double st[2], double p
 
 #define VERTEX_ROW(id, words, kind, letters, ...)                                            \
     const struct shape shape_##id = {                                                        \
-        .name = words, .shape = kind, .parts = letters, .flat = 1,                           \
+        .name = words, .shape = kind, .parts = letters, .flat = 1, .azimuth_jumps = 0.2,     \
         .techniques = fan_techniques, .build = id##_build, .wave_f32 = id##_wave_f32,        \
         .wave_f64 = id##_wave_f64, .solid_angle = id##_solid_angle, .make = id##_make,       \
-        .hit = id##_hit, .surface = id##_surface, .texture = id##_texture,            \
+        .form_factor = id##_form_factor, .hit = id##_hit, .surface = id##_surface, .texture = id##_texture,            \
         .exact = id##_exact, __VA_ARGS__}
 
 static psc_result triangle_build(psc_sampler *sampler, const psc_technique *technique,
@@ -239,6 +240,12 @@ SHAPE_WAVES(triangle, triangle, in[0], in[1], in[2])
 static psc_result triangle_solid_angle(const double position[3], const double *g, double *value)
 {
     return psc_triangle_solid_angle(position, g, g + 3, g + 6, value);
+}
+
+static psc_result triangle_form_factor(const psc_receiver *receiver, const double *g,
+                                       double *value)
+{
+    return psc_triangle_form_factor(receiver, g, g + 3, g + 6, value);
 }
 
 VERTICES(triangle, 3)
@@ -255,6 +262,11 @@ VERTEX_ROW(triangle, "triangle", PSC_SHAPE_TRIANGLE, "ppp", .bound = 0);
                                                double *value)                                  \
     {                                                                                          \
         return psc_polygon_solid_angle(position, n, g, 3 * sizeof *g, value);                  \
+    }                                                                                          \
+    static psc_result polygon##n##_form_factor(const psc_receiver *receiver, const double *g,  \
+                                               double *value)                                  \
+    {                                                                                          \
+        return psc_polygon_form_factor(receiver, n, g, 3 * sizeof *g, value);                  \
     }                                                                                          \
     VERTICES(polygon##n, n)                                                                    \
     VERTEX_ROW(polygon##n, #n "-gon", PSC_SHAPE_POLYGON, letters, .bound = 1, .joined = 1)
@@ -278,6 +290,12 @@ SHAPE_WAVES(rectangle, rectangle, in[0], in[1], in[2])
 static psc_result rectangle_solid_angle(const double position[3], const double *g, double *value)
 {
     return psc_rectangle_solid_angle(position, g, g + 3, g + 6, value);
+}
+
+static psc_result rectangle_form_factor(const psc_receiver *receiver, const double *g,
+                                        double *value)
+{
+    return psc_rectangle_form_factor(receiver, g, g + 3, g + 6, value);
 }
 
 static void rectangle_make(uint64_t *state, const struct test_technique *what, int hard, double *g)
@@ -368,6 +386,7 @@ static void rectangle_exact(uint64_t *state, struct light *light)
 static const struct test_technique rectangle_techniques[] = {
     {"solid angle, radial", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL},
     {"solid angle, parallel", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_PARALLEL},
+    {"projected solid angle, radial", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_RADIAL},
     {"area, radial", PSC_MEASURE_AREA, PSC_MAP_RADIAL},
     {"area, parallel", PSC_MEASURE_AREA, PSC_MAP_PARALLEL},
     {NULL, 0, 0},
@@ -375,8 +394,9 @@ static const struct test_technique rectangle_techniques[] = {
 
 const struct shape shape_rectangle = {
     .name = "rectangle", .shape = PSC_SHAPE_RECTANGLE, .parts = "pee", .flat = 1, .bound = 1,
-    .techniques = rectangle_techniques, .build = rectangle_build,
+    .azimuth_jumps = 0.2, .techniques = rectangle_techniques, .build = rectangle_build,
     .wave_f32 = rectangle_wave_f32, .wave_f64 = rectangle_wave_f64,
-    .solid_angle = rectangle_solid_angle, .make = rectangle_make, .hit = rectangle_hit,
+    .solid_angle = rectangle_solid_angle, .form_factor = rectangle_form_factor,
+    .make = rectangle_make, .hit = rectangle_hit,
     .surface = rectangle_surface, .texture = rectangle_texture, .exact = rectangle_exact,
 };

@@ -116,7 +116,9 @@ static double size_of(const struct light *light)
 
 static void paths(const struct shape *shape, const struct test_technique *what, int moving)
 {
-    const double bound = 1e-4, share = moving ? shape->jumps : 0.0;
+    const double most = what->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE ? shape->azimuth_jumps
+                                                                           : shape->jumps;
+    const double bound = 1e-4, share = moving ? most : 0.0;
     struct worst worst = {0};
     double jump;
     long jumped = 0;

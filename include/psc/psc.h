@@ -43,6 +43,11 @@
  *   [UFK13] C. Ureña, M. Fajardo, A. King: An area-preserving parametrization for spherical
  *           rectangles. EGSR 2013.
  *   [Arv95] J. Arvo: Stratified sampling of spherical triangles. SIGGRAPH 1995.
+ *   [Arv01] J. Arvo: Stratified sampling of 2-manifolds. SIGGRAPH course notes, 2001.
+ *   [Pet21] C. Peters: BRDF importance sampling for polygonal lights. ACM Transactions on
+ *           Graphics 40(4), 2021.
+ *   [DBC17] T. Duff, J. Burgess, P. Christensen, C. Hery, A. Kensler, M. Liani, R. Villemin:
+ *           Building an orthonormal basis, revisited. JCGT 6(1), 2017.
  *   [OS83]  A. Van Oosterom, J. Strackee: The solid angle of a plane triangle. IEEE Transactions
  *           on Biomedical Engineering 30(2), 1983.
  */
@@ -189,10 +194,10 @@ enum {
  *     quasi-uniform        x
  *     tabulated            x
  *
- *                        triangle, rectangle, polygon          rectangle only
- *                      solid angle              area        solid angle    area
- *     radial               x                      x
- *     parallel                                                  x            x
+ *                     triangle, rectangle, polygon               rectangle only
+ *                 solid angle  projected s. angle  area        solid angle    area
+ *     radial           x               x            x
+ *     parallel                                                      x           x
  *
  * A combination that a shape does not offer is PSC_ERROR_UNSUPPORTED_TECHNIQUE when it is
  * built, never a silent substitute.
@@ -387,6 +392,14 @@ PSC_API psc_result psc_build_ellipsoid(psc_sampler *sampler, const psc_technique
  * is nearer to it. So v = 0 is v1, v = 1 the side from v0 to v2, u = 0 the side to v0, u = 1 that
  * to v2. Area: the same with areas, v1 + sqrt(v) ((1 - u) (v0 - v1) + u (v2 - v1)).
  *
+ * Projected solid angle [Arv01], [Pet21], of the part above the receiver's horizon: u is its
+ * fraction at smaller azimuths, counter-clockwise around the receiver's normal, from the azimuth
+ * at which that part begins, or from its first vertex when the normal points into it; v is the
+ * fraction, at the azimuth of the sample, that is nearer to the normal, in which the squared sine
+ * of the angle to it is linear. For a two-sided receiver u below the share of the part above goes
+ * to that; the rest, backwards, to the part below, which is sampled as its mirror image is. The
+ * map jumps there, and as a receiver turns where its normal crosses a side.
+ *
  * Both sides shine unless the technique says PSC_TECHNIQUE_ONE_SIDED; the front is the one from
  * which v0, v1, v2 run counter-clockwise. Samples come with the normal of the front, the unit
  * vector along (v1 - v0) x (v2 - v0), and with surface the barycentric coordinates of v1 and v2.
@@ -422,7 +435,8 @@ PSC_API psc_result psc_build_rectangle(psc_sampler *sampler, const psc_technique
 /**
  * Builds the sampler of a convex polygon: a fan of triangles about v0, each sampled like
  * psc_build_triangle() with A = v(i), B = v0, C = v(i + 1). u runs through the fan from v1 to the
- * last vertex, and v from v0 outwards, without seams between the triangles.
+ * last vertex, and v from v0 outwards, without seams between the triangles. By projected solid
+ * angle: as for triangles.
  *
  * The front is the side from which the vertices run counter-clockwise. Surface has the numbers s
  * and t with point = v0 + s (v1 - v0) + t (v(last) - v0); 0 if these two edges are in line.
@@ -906,11 +920,25 @@ PSC_API psc_result psc_triangle_solid_angle(const double position[3], const doub
                                             const double v1[3], const double v2[3],
                                             double *solid_angle);
 
+/** Form factor from the receiver to a triangle, see psc_sampler_form_factor(), without a sampler:
+    the part above its horizon counts, both parts for a two-sided receiver.
+    @return as psc_build_triangle() by projected solid angle; 0 is written with PSC_EMPTY
+    @since 0.1 */
+PSC_API psc_result psc_triangle_form_factor(const psc_receiver *receiver, const double v0[3],
+                                            const double v1[3], const double v2[3],
+                                            double *form_factor);
+
 /** Solid angle of a rectangle without a sampler, in steradians; see psc_build_rectangle().
     @return as psc_triangle_solid_angle(), or PSC_ERROR_NOT_RECTANGLE @since 0.1 */
 PSC_API psc_result psc_rectangle_solid_angle(const double position[3], const double corner[3],
                                              const double edge_u[3], const double edge_v[3],
                                              double *solid_angle);
+
+/** Form factor from the receiver to a rectangle, without a sampler.
+    @return as psc_build_rectangle(); 0 is written with PSC_EMPTY @since 0.1 */
+PSC_API psc_result psc_rectangle_form_factor(const psc_receiver *receiver, const double corner[3],
+                                             const double edge_u[3], const double edge_v[3],
+                                             double *form_factor);
 
 /** Solid angle of a convex polygon without a sampler, in steradians; see psc_build_polygon().
     @return as psc_triangle_solid_angle(), or PSC_ERROR_VERTEX_COUNT, PSC_ERROR_NOT_PLANAR,
@@ -918,6 +946,12 @@ PSC_API psc_result psc_rectangle_solid_angle(const double position[3], const dou
 PSC_API psc_result psc_polygon_solid_angle(const double position[3], size_t count,
                                            const double *vertices, ptrdiff_t stride,
                                            double *solid_angle);
+
+/** Form factor from the receiver to a convex polygon, without a sampler.
+    @return as psc_build_polygon(); 0 is written with PSC_EMPTY @since 0.1 */
+PSC_API psc_result psc_polygon_form_factor(const psc_receiver *receiver, size_t count,
+                                           const double *vertices, ptrdiff_t stride,
+                                           double *form_factor);
 
 /** Form factor from the receiver to a disk, see psc_sampler_form_factor(), without a sampler: from
     either side of the disk, to 2e-15 of itself whether the horizon cuts the disk or not.
@@ -1100,9 +1134,15 @@ typedef struct psc_api_1 {
                                         const double *, const double *, double *);
     psc_result (*triangle_solid_angle)(const double *, const double *, const double *,
                                        const double *, double *);
+    psc_result (*triangle_form_factor)(const psc_receiver *, const double *, const double *,
+                                       const double *, double *);
     psc_result (*rectangle_solid_angle)(const double *, const double *, const double *,
                                         const double *, double *);
+    psc_result (*rectangle_form_factor)(const psc_receiver *, const double *, const double *,
+                                        const double *, double *);
     psc_result (*polygon_solid_angle)(const double *, size_t, const double *, ptrdiff_t, double *);
+    psc_result (*polygon_form_factor)(const psc_receiver *, size_t, const double *, ptrdiff_t,
+                                      double *);
     psc_result (*disk_form_factor)(const psc_receiver *, const double *, const double *, double,
                                    double *);
     psc_result (*ellipse_form_factor)(const psc_receiver *, const double *, const double *,

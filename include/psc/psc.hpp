@@ -151,6 +151,7 @@ struct triangle {
     }
     static constexpr auto build = psc_build_triangle;
     static constexpr auto solid_angle = psc_triangle_solid_angle;
+    static constexpr auto form_factor = psc_triangle_form_factor;
     static constexpr auto sample_n_f32 = psc_triangle_sample_n_f32;
     static constexpr auto sample_n_f64 = psc_triangle_sample_n_f64;
 };
@@ -165,6 +166,7 @@ struct rectangle {
     }
     static constexpr auto build = psc_build_rectangle;
     static constexpr auto solid_angle = psc_rectangle_solid_angle;
+    static constexpr auto form_factor = psc_rectangle_form_factor;
     static constexpr auto sample_n_f32 = psc_rectangle_sample_n_f32;
     static constexpr auto sample_n_f64 = psc_rectangle_sample_n_f64;
 };
@@ -181,6 +183,7 @@ struct polygon {
     }
     static constexpr auto build = psc_build_polygon;
     static constexpr auto solid_angle = psc_polygon_solid_angle;
+    static constexpr auto form_factor = psc_polygon_form_factor;
     static constexpr auto sample_n_f32 = psc_polygon_sample_n_f32;
     static constexpr auto sample_n_f64 = psc_polygon_sample_n_f64;
 };

@@ -1,0 +1,220 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* From the four corners of a sector to its constants, and sectors too wide for these to pieces. */
+#ifndef PSC_SRC_SECTOR_BUILD_H
+#define PSC_SRC_SECTOR_BUILD_H
+
+#include "sector_light.h"
+
+/* Where sectors go, how often one may still be halved, and twice the projected solid angle of
+   those of a side. */
+struct psc_sectors {
+    struct psc_sector *sector;
+    struct psc_sector_hit *hit;
+    int count, halvings;
+    double sum;
+};
+
+/* One end of a sector: U of length 1, what W is higher, and their weights as in psc_sector. */
+struct psc_sector_end {
+    double u[3], d, outer[2], inner[2];
+};
+
+/* A sector to be stored: both ends, and U_a x U_b. */
+struct psc_sector_wide {
+    struct psc_sector_end a, b;
+    double across[3];
+};
+
+/* |v| for squares that may be less than the smallest number. */
+PSC_LANE double length_of(double x, double y, double z)
+{
+    const double v[3] = {x, y, z}, scale = unit_scale(largest(v));
+
+    x *= scale;
+    y *= scale;
+    z *= scale;
+    return SQRT((x * x + y * y) + z * z) / scale;
+}
+
+/* Puts m a + l b for each number of an end, but for u, which has to be of length 1. */
+PSC_LANE void between_ends(const struct psc_sector_wide *wide, double m, double l,
+                           struct psc_sector_end *to)
+{
+    const struct psc_sector_end *const a = &wide->a, *const b = &wide->b;
+    int i;
+
+    to->d = m * a->d + l * b->d;
+    for (i = 0; i < 2; i++) {
+        to->outer[i] = m * a->outer[i] + l * b->outer[i];
+        to->inner[i] = m * a->inner[i] + l * b->inner[i];
+    }
+}
+
+/* Cuts a sector at the share l, keeps the first part and gives the second. Where the ends are
+   nearly antipodal the cut is made from the plane of U. */
+static inline void cut_sector(struct psc_sector_wide *wide, double l, struct psc_sector_wide *rest)
+{
+    const double *const a = wide->a.u, *const b = wide->b.u, *const g = wide->across;
+    double m = 1.0 - l, u[3], length;
+    int i;
+
+    for (i = 0; i < 3; i++)
+        u[i] = m * a[i] + l * b[i];
+    length = SQRT(dot(u, u));
+    if (length < 0.1) {
+        u[0] = b[1] - a[1];
+        u[1] = a[0] - b[0];
+        u[2] = -(g[0] * u[0] + g[1] * u[1]) / g[2];
+        length = SQRT(dot(u, u));
+        m = (u[0] * b[1] - u[1] * b[0]) / g[2];
+        l = (a[0] * u[1] - a[1] * u[0]) / g[2];
+    }
+    length = 1.0 / length;
+    m *= length;
+    l *= length;
+    *rest = *wide;
+    between_ends(wide, m, l, &rest->a);
+    for (i = 0; i < 3; i++) {
+        rest->a.u[i] = u[i] * length;
+        rest->across[i] = g[i] * m;
+        wide->across[i] *= l;
+    }
+    wide->b = rest->a;
+}
+
+/* Whether U and W stay within reach of the nodes; if not, the share of l to cut at. */
+static inline int fits_sector(const struct psc_sector *s, const double length_w[2], double *cut)
+{
+    struct psc_sector_place p;
+    int i, fits_u = 1, fits_w = 1;
+
+    for (i = 0; i < 4; i++) {
+        const double h = i & 1 ? 0.25 : -0.25;
+        double x, y;
+
+        sector_place(s, i & 2 ? 0.75 : 0.25, &p);
+        x = p.uu + h * p.u1;
+        y = x + (p.q + h * p.q1);
+        fits_u &= 0.25 * s->sine <= PSC_SECTOR_REACH * x;
+        fits_w &= 0.25 * s->sine_w <= PSC_SECTOR_REACH * y;
+    }
+    *cut = fits_u ? length_w[0] / (length_w[0] + length_w[1]) : 0.5;
+    return fits_u & fits_w;
+}
+
+/* All but the shares up to the nodes; k is not yet a share. */
+static inline void sector_constants(const struct psc_sector_wide *wide, struct psc_sector *s,
+                                    double length_w[2])
+{
+    const struct psc_sector_end *const a = &wide->a, *const b = &wide->b;
+    const double gx = wide->across[0], gy = wide->across[1];
+    /* W_a x W_b less U_a x U_b */
+    const double dx = b->d * a->u[1] - a->d * b->u[1], dy = a->d * b->u[0] - b->d * a->u[0];
+    const double cosine = dot(a->u, b->u);
+
+    s->ax = a->u[0];
+    s->ay = a->u[1];
+    s->az = a->u[2];
+    s->bx = b->u[0];
+    s->by = b->u[1];
+    s->bz = b->u[2];
+    s->da = a->d;
+    s->db = b->d;
+    s->k = wide->across[2];
+    s->sine = length_of(gx, gy, s->k);
+    s->sine_w = length_of(gx + dx, gy + dy, s->k);
+    s->sine_more = (dx * (2.0 * gx + dx) + dy * (2.0 * gy + dy)) / (s->sine_w + s->sine);
+    s->versine = cosine > 0.0 ? s->sine * s->sine / (1.0 + cosine) : 1.0 - cosine;
+    length_w[0] = SQRT(1.0 + a->d * (2.0 * a->u[2] + a->d));
+    length_w[1] = SQRT(1.0 + b->d * (2.0 * b->u[2] + b->d));
+}
+
+/* What is left of the fields when the constants are there, as masses. */
+static inline void sector_masses(struct psc_sector *s, double *sum)
+{
+    struct psc_sector_place p;
+
+    sector_place(s, 0.0, &p);
+    s->rise_a = s->k * p.q / p.ww;
+    s->bend_a = s->k * (p.q1 - p.q * (p.u1 + p.w1 / p.ww)) / p.ww;
+    sector_place(s, 1.0, &p);
+    s->rise_b = s->k * p.q / p.ww;
+    s->bend_b = -s->k * (p.q1 - p.q * (p.u1 + p.w1 / p.ww)) / p.ww;
+    sector_place(s, 0.25, &p);
+    s->start = *sum;
+    s->quarter = s->start - sector_mass(s, &p, -0.25);
+    s->middle = s->quarter + sector_mass(s, &p, 0.25);
+    sector_place(s, 0.75, &p);
+    s->last = s->middle - sector_mass(s, &p, -0.25);
+    s->end = *sum = s->last + sector_mass(s, &p, 0.25);
+}
+
+static inline void sector_hit(const struct psc_sector_wide *wide, const int corner[4],
+                              struct psc_sector_hit *hit)
+{
+    int i;
+
+    for (i = 0; i < 2; i++) {
+        hit->outer[0][i] = wide->a.outer[i];
+        hit->outer[1][i] = wide->b.outer[i];
+        hit->inner[0][i] = wide->a.inner[i];
+        hit->inner[1][i] = wide->b.inner[i];
+        hit->corner[i] = corner[i];
+        hit->corner[2 + i] = corner[2 + i];
+    }
+}
+
+/* Adds a sector, in as many pieces as it needs. */
+static inline void add_sector(struct psc_sectors *to, const struct psc_sector_wide *wide,
+                              const int corner[4])
+{
+    struct psc_sector_wide stack[PSC_MAX_SECTORS];
+    int pending = 1;
+
+    stack[0] = *wide;
+    while (pending > 0) {
+        struct psc_sector_wide *const top = stack + pending - 1;
+        struct psc_sector *const s = to->sector + to->count;
+        double length_w[2], cut;
+
+        sector_constants(top, s, length_w);
+        if (!fits_sector(s, length_w, &cut) && to->halvings > 0) {
+            struct psc_sector_wide rest;
+
+            cut_sector(top, cut, &rest);
+            top[1] = *top;
+            top[0] = rest;
+            pending++;
+            to->halvings--;
+        } else {
+            sector_masses(s, &to->sum);
+            sector_hit(top, corner, to->hit + to->count);
+            to->count++;
+            pending--;
+        }
+    }
+}
+
+/* From masses to shares. */
+static inline void share_sectors(struct psc_sectors *all, int first)
+{
+    const double inverse = 1.0 / all->sum;
+    int i;
+
+    for (i = first; i < all->count; i++) {
+        struct psc_sector *const s = all->sector + i;
+
+        s->k *= inverse;
+        s->start *= inverse;
+        s->quarter *= inverse;
+        s->middle *= inverse;
+        s->last *= inverse;
+        s->end *= inverse;
+        s->rise_a *= inverse;
+        s->bend_a *= inverse;
+        s->rise_b *= inverse;
+        s->bend_b *= inverse;
+    }
+}
+
+#endif
