@@ -72,8 +72,9 @@ static const technique_row horizon_columns[] = {
     {"area, radial", PSC_MEASURE_AREA, PSC_MAP_RADIAL},
     {"solid angle, radial", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL},
     {"projected, parallel", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_PARALLEL},
+    {"projected, radial", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_RADIAL},
 };
-enum { HORIZON_DISK = 7, HORIZON_ELLIPSOID = 6, HORIZON_POLYGON = 3 };
+enum { HORIZON_DISK = 7, HORIZON_ELLIPSOID = 6, HORIZON_POLYGON = 11 };
 
 static const map_row horizon_rows[] = {
     {"disk, cut", "disk", &light_disk, 7, {0.7, 0.1, 0.3, -1, 0.2, -0.5, 0.9}, 1,

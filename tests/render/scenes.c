@@ -38,9 +38,10 @@ static const comparison ellipsoids = {
      {"projected, parallel", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_PARALLEL}}};
 
 static const comparison polygons = {
-    2, 1,
+    3, 1,
     {{"area", PSC_MEASURE_AREA, PSC_MAP_RADIAL},
-     {"solid angle", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL}}};
+     {"solid angle", PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL},
+     {"projected", PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_RADIAL}}};
 
 static const struct {
     const char *name, *title;

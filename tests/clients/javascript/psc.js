@@ -130,9 +130,6 @@ module.exports = path => {
         calls.solidAngle[shape] = library.func(
             `int32_t psc_${shape}_solid_angle(` +
             (shape === 'cap' ? 'double' : `const double *, ${parts}`) + ', _Out_ double *)');
-    }
-    for (const shape of ['sphere', 'cap', 'disk', 'ellipse', 'ellipsoid']) {
-        const parts = SHAPES[shape].map(n => n === 3 ? 'const double *' : 'double').join(', ');
         calls.formFactor[shape] = library.func(
             `int32_t psc_${shape}_form_factor(psc_receiver *, ${parts}, _Out_ double *)`);
     }

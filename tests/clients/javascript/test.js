@@ -129,7 +129,8 @@ const mean = how => {
 check('the tabulated map',
       near(mean({ map: psc.TABULATED, table: psc.table(256) }), mean({ map: psc.RADIAL }), 0.05));
 check('form factors', near(psc.formFactor(sphere, from), exact / Math.PI, 1e-14) &&
-                      psc.formFactor(psc.disk(...lights.disk), from) > 0);
+                      psc.formFactor(psc.disk(...lights.disk), from) > 0 &&
+                      psc.formFactor(psc.polygon(...lights.polygon), from) > 0);
 
 console.log(`1..${count}`);
 process.exitCode = failures === 0 ? 0 : 1;
