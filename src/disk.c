@@ -52,5 +52,5 @@ psc_result psc_disk_form_factor(const psc_receiver *receiver, const double cente
 {
     const double *const parts[] = {center, normal, &radius};
 
-    return psc_disk_ask_form_factor(&psc_shape_disk, geometry, receiver, parts, form_factor);
+    return psc_form_factor(&psc_shape_disk, geometry, receiver, parts, form_factor);
 }

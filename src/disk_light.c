@@ -72,25 +72,6 @@ psc_result psc_disk_ask_solid_angle(const struct psc_shape_row *shape, const cha
     return result;
 }
 
-psc_result psc_disk_ask_form_factor(const struct psc_shape_row *shape, const char *kinds,
-                                    const psc_receiver *receiver, const double *const parts[],
-                                    double *form_factor)
-{
-    const psc_technique technique = {sizeof technique, PSC_MEASURE_PROJECTED_SOLID_ANGLE,
-                                     PSC_MAP_PARALLEL, 0, NULL};
-    psc_sampler_storage storage;
-    psc_sampler *sampler;
-    psc_result result;
-
-    if (!form_factor)
-        return PSC_ERROR_NULL_POINTER;
-    psc_sampler_init(&storage, sizeof storage, &sampler);
-    result = psc_build(sampler, shape, kinds, &technique, receiver, parts);
-    if (result >= 0)
-        *form_factor = sampler->total * (1.0 / PSC_PI);
-    return result;
-}
-
 /* ---- Directions ---- */
 
 /* A direction in the frame of the cone. */

@@ -17,9 +17,4 @@ psc_result psc_disk_ask_solid_angle(const struct psc_shape_row *shape, const cha
                                     const double position[3], const double *const parts[],
                                     double *solid_angle);
 
-/* Likewise the form factor. */
-psc_result psc_disk_ask_form_factor(const struct psc_shape_row *shape, const char *kinds,
-                                    const psc_receiver *receiver, const double *const parts[],
-                                    double *form_factor);
-
 #endif

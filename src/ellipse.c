@@ -53,5 +53,5 @@ psc_result psc_ellipse_form_factor(const psc_receiver *receiver, const double ce
 {
     const double *const parts[] = {center, axis_u, axis_v};
 
-    return psc_disk_ask_form_factor(&psc_shape_ellipse, geometry, receiver, parts, form_factor);
+    return psc_form_factor(&psc_shape_ellipse, geometry, receiver, parts, form_factor);
 }

@@ -53,5 +53,5 @@ psc_result psc_ellipsoid_form_factor(const psc_receiver *receiver, const double 
 {
     const double *const parts[] = {center, axis_u, axis_v, axis_w};
 
-    return psc_disk_ask_form_factor(&psc_shape_ellipsoid, geometry, receiver, parts, form_factor);
+    return psc_form_factor(&psc_shape_ellipsoid, geometry, receiver, parts, form_factor);
 }

@@ -129,8 +129,9 @@ psc_result psc_form_factor(const struct psc_shape_row *shape, const char *kinds,
                            const psc_receiver *receiver, const double *const parts[],
                            double *form_factor)
 {
+    const int radial = shape->maps[PSC_MEASURE_PROJECTED_SOLID_ANGLE] >> PSC_MAP_RADIAL & 1;
     const psc_technique technique = {sizeof technique, PSC_MEASURE_PROJECTED_SOLID_ANGLE,
-                                     PSC_MAP_RADIAL, 0, NULL};
+                                     radial ? PSC_MAP_RADIAL : PSC_MAP_PARALLEL, 0, NULL};
     psc_sampler_storage storage;
     psc_sampler *sampler;
     psc_result result;

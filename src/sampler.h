@@ -116,7 +116,7 @@ psc_result psc_build(psc_sampler *sampler, const struct psc_shape_row *shape, co
                      const psc_technique *technique, const psc_receiver *receiver,
                      const double *const parts[]);
 
-/* Form factor of any shape that is offered by projected solid angle, radial; parts as above. */
+/* Form factor of any shape that is offered by projected solid angle; parts as above. */
 psc_result psc_form_factor(const struct psc_shape_row *shape, const char *kinds,
                            const psc_receiver *receiver, const double *const parts[],
                            double *form_factor);

@@ -4,230 +4,26 @@
  * square of samples, over sizes from 1e-8 to 2 and needles to 1e-8, with the zenith inside, next to
  * an edge and outside, the horizon cutting and touching.
  *
- * The reference cuts the polygon by planes (horizon, and those through the receiver's normal that
- * bound an azimuth) and adds up Lambert's boundary integral, which the library uses nowhere; that
- * in turn is compared with quadrature of cosine times cosine over squared distance on the light.
+ * The reference is compared in turn with quadrature of cosine times cosine over squared distance on
+ * the light.
  *
  * Lights are made of integers times powers of two, flat without rounding. A sample is taken at its
  * word by its texture coordinates where the light is small, by its direction where it is large,
  * each of which may be some units in its last place off.
  */
 #include "calls.h"
-#include "quad.h"
 #include "random.h"
+#include "reference_sectors.h"
 #include "worst.h"
 
-enum { MOST = 16, ROOM = 40, LIGHTS = 1500, SAMPLES = 6 };
+enum { LIGHTS = 1500, SAMPLES = 6 };
 
 struct flat_light {
-    int n;
-    double v[MOST][3], normal[3];
+    struct reference_polygon p;
     double size, thin;
     int exactly; /* at an edge, or touching, to rounding: on which side is not said */
     const char *kind;
 };
-
-typedef quad vector[3];
-
-static quad quad_dot(const quad *a, const quad *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void quad_cross(const quad *a, const quad *b, quad *to)
-{
-    to[0] = a[1] * b[2] - a[2] * b[1];
-    to[1] = a[2] * b[0] - a[0] * b[2];
-    to[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-/* ---- The reference ---- */
-
-/* The part of a polygon with plane.p >= 0. */
-static int cut(int n, vector *p, const quad *plane)
-{
-    vector q[ROOM];
-    int i, c, m = 0;
-
-    for (i = 0; i < n; i++) {
-        const int next = (i + 1) % n;
-        const quad a = quad_dot(plane, p[i]), b = quad_dot(plane, p[next]);
-
-        if (a >= 0)
-            memcpy(q[m++], p[i], sizeof q[0]);
-        if ((a > 0 && b < 0) || (a < 0 && b > 0)) {
-            for (c = 0; c < 3; c++)
-                q[m][c] = (p[i][c] * b - p[next][c] * a) / (b - a);
-            m++;
-        }
-    }
-    memcpy(p, q, (size_t)m * sizeof q[0]);
-    return m;
-}
-
-/* theta / sin theta - 1 of sine and cosine: by its series in the square of the sine where the
-   quotient would cancel. */
-static quad arc_excess(quad sine, quad cosine)
-{
-    quad square = sine * sine, term = 1, sum = 0;
-    int i;
-
-    if (cosine < 0.9)
-        return sine > 0 ? quad_atan2(sine, cosine) / sine - 1 : 0;
-    for (i = 1; i < 60; i++) {
-        term *= square * (2 * i - 1) / (2 * i);
-        sum += term / (2 * i + 1);
-    }
-    return sum;
-}
-
-/* Projected solid angle for a normal of length 1; the order of vertices does not matter. Of the
-   integral, sum of theta (a x b).n / sin theta for directions a and b, what small polygons cancel
-   is taken off: a and b are a first direction and a small vector each. */
-static quad lambert(int n, vector *p, const quad *normal)
-{
-    quad sum = 0, length[ROOM];
-    vector u[ROOM], e[ROOM];
-    int i, c;
-
-    for (i = 0; i < n; i++)
-        length[i] = quad_sqrt(quad_dot(p[i], p[i]));
-    for (i = 0; i < n; i++) {
-        quad longer = 0;
-
-        for (c = 0; c < 3; c++)
-            longer += (p[i][c] - p[0][c]) * (p[i][c] + p[0][c]) / (length[i] + length[0]);
-        for (c = 0; c < 3; c++) {
-            u[i][c] = p[i][c] / length[i];
-            e[i][c] = ((p[i][c] - p[0][c]) - u[0][c] * longer) / length[i];
-        }
-    }
-    for (i = 0; i < n; i++) {
-        const int next = (i + 1) % n;
-        vector step, across;
-
-        quad_cross(e[i], e[next], across);
-        sum += quad_dot(across, normal);
-        for (c = 0; c < 3; c++)
-            step[c] = e[next][c] - e[i][c];
-        quad_cross(u[i], step, across);
-        sum += arc_excess(quad_sqrt(quad_dot(across, across)), quad_dot(u[i], u[next])) *
-               quad_dot(across, normal);
-    }
-    return quad_abs(sum) / 2;
-}
-
-/* What a receiver at the origin sees. */
-struct seen {
-    int n;
-    vector p[ROOM], normal, x, y; /* p above the horizon; x, y across the normal */
-    quad total;
-    int first_u;         /* the zenith is inside: azimuths count from this point */
-    int around;
-};
-
-static quad azimuth_cross(const struct seen *s, const quad *a, const quad *b)
-{
-    return quad_dot(a, s->x) * quad_dot(b, s->y) - quad_dot(a, s->y) * quad_dot(b, s->x);
-}
-
-static void see(const struct flat_light *light, int flip, struct seen *s)
-{
-    vector e1, e2, across;
-    quad length = 0, turn;
-    int i, c, left = 1;
-
-    for (c = 0; c < 3; c++)
-        length += quad_square(light->normal[c]);
-    for (c = 0; c < 3; c++)
-        s->normal[c] = (flip ? -1 : 1) * light->normal[c] / quad_sqrt(length);
-    s->n = light->n;
-    for (i = 0; i < light->n; i++)
-        for (c = 0; c < 3; c++)
-            s->p[i][c] = light->v[i][c];
-    /* Any frame, its y counterclockwise from x seen from above; from below, mirrored. */
-    for (c = 0; c < 3; c++)
-        e1[c] = c == (quad_abs(s->normal[0]) > 0.5);
-    quad_cross(s->normal, e1, s->x);
-    length = quad_sqrt(quad_dot(s->x, s->x));
-    for (c = 0; c < 3; c++)
-        s->x[c] /= length;
-    quad_cross(s->normal, s->x, s->y);
-    for (c = 0; flip && c < 3; c++)
-        s->y[c] = -s->y[c];
-    /* Counterclockwise around the zenith, the first vertex staying where it is. */
-    for (c = 0; c < 3; c++) {
-        e1[c] = s->p[1][c] - s->p[0][c];
-        e2[c] = s->p[light->n - 1][c] - s->p[0][c];
-    }
-    quad_cross(e1, e2, across);
-    turn = quad_dot(across, s->p[0]);
-    if ((turn < 0) != flip)
-        for (i = 1; i < s->n - i; i++) {
-            vector swap;
-
-            memcpy(swap, s->p[i], sizeof swap);
-            memcpy(s->p[i], s->p[s->n - i], sizeof swap);
-            memcpy(s->p[s->n - i], swap, sizeof swap);
-        }
-    s->n = cut(s->n, s->p, s->normal);
-    s->total = lambert(s->n, s->p, s->normal);
-    for (i = 0; i < s->n; i++)
-        left &= azimuth_cross(s, s->p[i], s->p[(i + 1) % s->n]) >= 0;
-    s->around = left;
-}
-
-/* Projected solid angle at azimuths from that of a to that of b, at most half a turn. */
-static quad wedge(const struct seen *s, const quad *a, const quad *b, int open)
-{
-    vector p[ROOM], plane;
-    int n = s->n, c;
-
-    memcpy(p, s->p, sizeof p);
-    for (c = 0; c < 3; c++)
-        plane[c] = quad_dot(b, s->y) * s->x[c] - quad_dot(b, s->x) * s->y[c];
-    n = cut(n, p, plane);
-    if (!open) {
-        for (c = 0; c < 3; c++)
-            plane[c] = quad_dot(a, s->x) * s->y[c] - quad_dot(a, s->y) * s->x[c];
-        n = cut(n, p, plane);
-    }
-    return lambert(n, p, s->normal);
-}
-
-/* The place of a direction of any length in the unit square. */
-static void place(const struct seen *s, const quad *d, quad uv[2])
-{
-    const quad xy = quad_square(quad_dot(d, s->x)) + quad_square(quad_dot(d, s->y));
-    quad low = 2, high = 0, rho2 = xy / quad_dot(d, d);
-    int i, c;
-
-    if (!s->around)
-        uv[0] = wedge(s, d, d, 1) / s->total;
-    else if (azimuth_cross(s, s->p[0], d) >= 0)
-        uv[0] = wedge(s, s->p[0], d, 0) / s->total;
-    else
-        uv[0] = 1 - wedge(s, d, s->p[0], 0) / s->total;
-    for (i = 0; i < s->n; i++) {
-        const int next = (i + 1) % s->n;
-        const quad a = azimuth_cross(s, d, s->p[i]), b = azimuth_cross(s, d, s->p[next]);
-        quad along, r2;
-        vector q;
-
-        if (a == b || (a > 0) == (b > 0))
-            continue;
-        for (c = 0; c < 3; c++)
-            q[c] = (s->p[i][c] * b - s->p[next][c] * a) / (b - a);
-        along = quad_dot(q, s->x) * quad_dot(d, s->x) + quad_dot(q, s->y) * quad_dot(d, s->y);
-        if (along < 0)
-            continue;
-        r2 = (quad_square(quad_dot(q, s->x)) + quad_square(quad_dot(q, s->y))) / quad_dot(q, q);
-        low = r2 < low ? r2 : low;
-        high = r2 > high ? r2 : high;
-    }
-    low = s->around ? 0 : low;
-    uv[1] = high > low ? (rho2 - low) / (high - low) : NAN;
-}
 
 /* ---- Lights ---- */
 
@@ -256,11 +52,11 @@ static void point_inside(uint64_t *state, const struct flat_light *light, double
     int i, c;
 
     q[0] = q[1] = q[2] = 0.0;
-    for (i = 0; i < light->n; i++) {
+    for (i = 0; i < light->p.n; i++) {
         weight = random_between(state, 0.1, 1.0);
         sum += weight;
         for (c = 0; c < 3; c++)
-            q[c] += weight * light->v[i][c];
+            q[c] += weight * light->p.v[i][c];
     }
     for (c = 0; c < 3; c++)
         q[c] /= sum;
@@ -280,7 +76,7 @@ static void normal_across(uint64_t *state, const double q[3], double off, double
 
 static void choose_normal(uint64_t *state, int kind, double size, struct flat_light *light)
 {
-    const int i = random_below(state, light->n), next = (i + 1) % light->n;
+    const int i = random_below(state, light->p.n), next = (i + 1) % light->p.n;
     const double least = kind == ZENITH_AT_EDGE ? 1e-12 : 1e-16;
     const double tiny = light->exactly ? 0.0
                         : (random_below(state, 2) ? -1.0 : 1.0) * random_log(state, least, 0.1);
@@ -290,24 +86,24 @@ static void choose_normal(uint64_t *state, int kind, double size, struct flat_li
     point_inside(state, light, q);
     switch (kind) {
     case ABOVE:
-        random_unit(state, light->normal);
+        random_unit(state, light->p.normal);
         t = random_between(state, 0.0, 2.0);
         for (c = 0; c < 3; c++)
-            light->normal[c] = q[c] + t * light->normal[c];
+            light->p.normal[c] = q[c] + t * light->p.normal[c];
         break;
-    case ZENITH_INSIDE: memcpy(light->normal, q, sizeof q); break;
+    case ZENITH_INSIDE: memcpy(light->p.normal, q, sizeof q); break;
     case ZENITH_AT_EDGE:
         t = random_uniform(state);
         for (c = 0; c < 3; c++) {
-            light->normal[c] = light->v[i][c] + t * (light->v[next][c] - light->v[i][c]);
-            light->normal[c] += tiny * (q[c] - light->normal[c]);
+            light->p.normal[c] = light->p.v[i][c] + t * (light->p.v[next][c] - light->p.v[i][c]);
+            light->p.normal[c] += tiny * (q[c] - light->p.normal[c]);
         }
         break;
-    case HORIZON_CUTS: normal_across(state, q, 0.0, light->normal); break;
+    case HORIZON_CUTS: normal_across(state, q, 0.0, light->p.normal); break;
     case HORIZON_TOUCHES:
-        normal_across(state, light->v[i], tiny * size, light->normal);
+        normal_across(state, light->p.v[i], tiny * size, light->p.normal);
         break;
-    default: random_unit(state, light->normal); break;
+    default: random_unit(state, light->p.normal); break;
     }
 }
 
@@ -325,7 +121,7 @@ static void make_light(uint64_t *state, struct flat_light *light)
     double center[3], e[2][3];
     int i, c;
 
-    light->n = n;
+    light->p.n = n;
     light->kind = kinds[kind];
     light->size = size;
     light->thin = thin;
@@ -344,7 +140,7 @@ static void make_light(uint64_t *state, struct flat_light *light)
         const double x = to_grid(cos(angle), 0x1p-12), y = to_grid(sin(angle), 0x1p-12);
 
         for (c = 0; c < 3; c++)
-            light->v[i][c] = center[c] + (x * e[0][c] + y * e[1][c]);
+            light->p.v[i][c] = center[c] + (x * e[0][c] + y * e[1][c]);
     }
     choose_normal(state, kind, size, light);
 }
@@ -354,11 +150,11 @@ static const char *describe(const struct flat_light *light, double u, double v)
     static char text[400];
     int n, i;
 
-    n = snprintf(text, sizeof text, "%s, n %d, u %a v %a normal %a %a %a:", light->kind, light->n,
-                 u, v, light->normal[0], light->normal[1], light->normal[2]);
-    for (i = 0; i < light->n && n < (int)sizeof text - 80; i++)
-        n += snprintf(text + n, sizeof text - (size_t)n, " %a %a %a", light->v[i][0],
-                      light->v[i][1], light->v[i][2]);
+    n = snprintf(text, sizeof text, "%s, n %d, u %a v %a normal %a %a %a:", light->kind, light->p.n,
+                 u, v, light->p.normal[0], light->p.normal[1], light->p.normal[2]);
+    for (i = 0; i < light->p.n && n < (int)sizeof text - 80; i++)
+        n += snprintf(text + n, sizeof text - (size_t)n, " %a %a %a", light->p.v[i][0],
+                      light->p.v[i][1], light->p.v[i][2]);
     return text;
 }
 
@@ -369,7 +165,8 @@ static const char *describe(const struct flat_light *light, double u, double v)
 static void take_direction(const struct flat_light *light, const psc_light_sample_f64 *sample,
                            int moved, quad shift, quad *d)
 {
-    const int by_surface = light->size < 0.05, last = light->n - 1;
+    const int by_surface = light->size < 0.05, last = light->p.n - 1;
+    const double(*v)[3] = light->p.v;
     quad number[3];
     int c;
 
@@ -378,18 +175,17 @@ static void take_direction(const struct flat_light *light, const psc_light_sampl
     if (moved >= 0)
         number[moved] += number[moved] * shift;
     for (c = 0; c < 3; c++)
-        d[c] = by_surface ? light->v[0][c] + number[0] * ((quad)light->v[1][c] - light->v[0][c]) +
-                                number[1] * ((quad)light->v[last][c] - light->v[0][c])
+        d[c] = by_surface ? v[0][c] + number[0] * ((quad)v[1][c] - v[0][c]) +
+                                number[1] * ((quad)v[last][c] - v[0][c])
                           : number[c];
 }
 
 /* The point of the square on one of the sides, joined as the library does; *turn is what u may be
    more or less where it counts around the zenith, else 0. */
-static void place_on(const struct seen side[2], quad split, int below, const quad *d, quad uv[2],
-                     quad *turn)
+static void place_on(const struct reference_sectors side[2], quad split, int below, const quad *d,
+                     quad uv[2], quad *turn)
 {
-
-    place(side + below, d, uv);
+    reference_in_sectors(side + below, d, uv);
     if (split > 0)
         uv[0] = below ? 1 - uv[0] * (1 - split) : uv[0] * split;
     *turn = side[below].around ? (below ? 1 - split : split) : 0;
@@ -404,15 +200,15 @@ static quad distance(quad a, quad b, quad turn)
 
 /* Error of a sample beyond what rounding its numbers explains. v is not defined where the
    direction is beside the light by less than its rounding. */
-static void sample_error(const struct flat_light *light, const struct seen side[2], int sides,
-                         int bits, const psc_light_sample_f64 *sample, double u, double v,
-                         double error[2])
+static void sample_error(const struct flat_light *light, const struct reference_sectors side[2],
+                         int sides, int bits, const psc_light_sample_f64 *sample, double u,
+                         double v, double error[2])
 {
     const quad rounding = bits == 64 ? 4 * 0x1p-53 : 1.5 * 0x1p-24;
     const quad split = sides == 2 ? side[0].total / (side[0].total + side[1].total) : 1;
     const int below = sides == 2 && (u > split || split == 0);
     quad at[2], turn, allowed[2] = {0, 0};
-    vector d;
+    quad d[3];
     int i, k;
 
     take_direction(light, sample, -1, 0, d);
@@ -455,10 +251,10 @@ static double sliver(const struct flat_light *light, double expected)
     const double size = light->size < 1.0 ? light->size : 1.0, square = size * size;
     double solid_angle = 0.0;
 
-    psc_polygon_solid_angle(origin, (size_t)light->n, light->v[0], sizeof light->v[0],
+    psc_polygon_solid_angle(origin, (size_t)light->p.n, light->p.v[0], sizeof light->p.v[0],
                             &solid_angle);
     return 1.0 + 0.1 * (square / solid_angle + 1.0 / light->thin) +
-           (light->n > 3 ? 0.02 * square / expected : 0.0);
+           (light->p.n > 3 ? 0.02 * square / expected : 0.0);
 }
 
 static void sweep(void)
@@ -476,7 +272,7 @@ static void sweep(void)
     for (i = 0; i < LIGHTS; i++) {
         const int sides = 1 + random_below(&seed, 2);
         struct flat_light light;
-        struct seen side[2];
+        struct reference_sectors side[2];
         struct test_sampler s;
         psc_receiver receiver;
         psc_result result;
@@ -484,12 +280,12 @@ static void sweep(void)
         double found, scale;
 
         make_light(&seed, &light);
-        receiver = make_receiver(origin, light.normal, sides == 2 ? PSC_RECEIVER_TWO_SIDED : 0);
-        see(&light, 0, side);
-        see(&light, 1, side + 1);
+        receiver = make_receiver(origin, light.p.normal, sides == 2 ? PSC_RECEIVER_TWO_SIDED : 0);
+        reference_sectors(&light.p, 0, side);
+        reference_sectors(&light.p, 1, side + 1);
         expected = side[0].total + (sides == 2 ? side[1].total : 0);
-        result = psc_build_polygon(make_sampler(&s), &technique, &receiver, (size_t)light.n,
-                                   light.v[0], sizeof light.v[0]);
+        result = psc_build_polygon(make_sampler(&s), &technique, &receiver, (size_t)light.p.n,
+                                   light.p.v[0], sizeof light.p.v[0]);
         psc_sampler_total(s.sampler, &found);
         if (!(expected > 0)) {
             empty++;
@@ -539,11 +335,13 @@ static void sweep(void)
 static double by_quadrature(const struct flat_light *light)
 {
     enum { STEPS = 64 };
+    const double *const normal = light->p.normal;
     double sum = 0.0;
     int i, j, k, c;
 
-    for (i = 1; i + 1 < light->n; i++) {
-        const double *const a = light->v[0], *const b = light->v[i], *const d = light->v[i + 1];
+    for (i = 1; i + 1 < light->p.n; i++) {
+        const double *const a = light->p.v[0], *const b = light->p.v[i];
+        const double *const d = light->p.v[i + 1];
         double e[2][3], across[3];
 
         for (c = 0; c < 3; c++) {
@@ -565,14 +363,13 @@ static double by_quadrature(const struct flat_light *light)
                     const double p = a[c] + s * (e[0][c] + t * e[1][c]);
 
                     square += p * p;
-                    height += p * light->normal[c];
+                    height += p * normal[c];
                     facing += p * across[c];
                 }
                 sum += weight * s * fabs(facing) * height / (square * square);
             }
     }
-    return sum / sqrt(light->normal[0] * light->normal[0] + light->normal[1] * light->normal[1] +
-                      light->normal[2] * light->normal[2]);
+    return sum / sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
 }
 
 static void compare_reference(void)
@@ -584,19 +381,19 @@ static void compare_reference(void)
     while (worst.count < 20) {
         struct flat_light light;
         double least = INFINITY;
-        struct seen side;
+        struct reference_sectors side;
 
         make_light(&seed, &light);
-        for (i = 0; i < light.n; i++) {
+        for (i = 0; i < light.p.n; i++) {
             double height = 0.0;
 
             for (c = 0; c < 3; c++)
-                height += light.normal[c] * light.v[i][c];
+                height += light.p.normal[c] * light.p.v[i][c];
             least = fmin(least, height);
         }
         if (least <= 0.0 || light.size < 0.1 || light.size > 0.5)
             continue;
-        see(&light, 0, &side);
+        reference_sectors(&light.p, 0, &side);
         worst_add(&worst, fabs(by_quadrature(&light) / (double)side.total - 1.0), "%s",
                   describe(&light, 0.0, 0.0));
     }
