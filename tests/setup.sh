@@ -23,6 +23,7 @@ options=-Drender=enabled
 if [ "$what" = tests ]; then
     need c++ g++
     need cmake cmake
+    need git git
     need readelf binutils
     need abidw abigail-tools
     need doxygen doxygen

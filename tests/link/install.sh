@@ -82,7 +82,7 @@ too_old() {
 # cmake_project STATIC
 cmake_project() {
     rm -rf "$place/cmake"
-    PKG_CONFIG_PATH=$place cmake -S "$link" -B "$place/cmake" -DSTATIC="$1" &&
+    PKG_CONFIG_PATH=$place cmake -G Ninja -S "$link" -B "$place/cmake" -DSTATIC="$1" &&
         cmake --build "$place/cmake" || return 1
     for language in c cxx; do
         readelf -d "$place/cmake/program_$language" > "$place/needs"
