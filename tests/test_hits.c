@@ -2,8 +2,8 @@
 /*
  * Every sample is one: finite, of unit length, its point on the light and where the direction
  * says, with its normal and texture coordinates, the density that its measure has there, and
- * culled for a reason; at the ends of the square, from inside, from the
- * surface, from both sides of the receiver, close by and far away.
+ * culled for a reason; at the ends of the square, from inside, from the surface, from both sides of
+ * the receiver, close by and far away.
  */
 #include "shapes.h"
 #include "vectors.h"
@@ -226,9 +226,7 @@ static void hits(const struct shape *shape, const struct test_technique *what, i
     REPORT(culled, 32.0, "on the wrong side, or culled on the right one");
     if (!is_distant(shape)) {
         REPORT(on_surface, 16.0, "point on the light");
-        /* The axes of an elliptical disk's cone and the motion that takes a direction to its point
-           are rounded apart from each other; at the tip of a wide needle seen edge-on that is 17. */
-        REPORT(along, shape == &shape_ellipse ? 24.0 : 16.0, "point along the direction");
+        REPORT(along, 16.0, "point along the direction");
         REPORT(normal, 16.0, "normal at the point");
     }
     if (shape->texture)
