@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "reference_polygons.h"
 
-enum { NODES = 16 };
+#include "gauss.h"
 
 quad reference_dot(const quad a[3], const quad b[3])
 {
@@ -22,45 +22,16 @@ quad reference_length(const quad v[3])
 
 /* ---- Quadrature: Gauss's, on panels ---- */
 
-static quad node[NODES / 2], weight[NODES / 2];
-
-/* Roots of Legendre's polynomial by Newton's steps. */
-void reference_rule(void)
-{
-    int i, k, step;
-
-    for (i = 0; i < NODES / 2; i++) {
-        quad x = quad_cos(quad_pi() * (4 * i + 3) / (4 * NODES + 2)), slope = 1;
-
-        for (step = 0; step < 8; step++) {
-            quad p = x, before = 1;
-
-            for (k = 2; k <= NODES; k++) {
-                const quad next = ((2 * k - 1) * x * p - (k - 1) * before) / k;
-
-                before = p;
-                p = next;
-            }
-            slope = NODES * (x * p - before) / (x * x - 1);
-            x -= p / slope;
-        }
-        node[i] = x;
-        weight[i] = 2 / ((1 - x * x) * slope * slope);
-    }
-}
-
 typedef quad density(const void *context, quad x);
 
 static quad rule(density *f, const void *context, quad from, quad to)
 {
-    const quad middle = (from + to) / 2, half = (to - from) / 2;
     quad sum = 0;
     int i;
 
-    for (i = 0; i < NODES / 2; i++)
-        sum += weight[i] * (f(context, middle - half * node[i]) +
-                            f(context, middle + half * node[i]));
-    return half * sum;
+    for (i = 0; i < GAUSS_NODES; i++)
+        sum += gauss_weight(i) * f(context, from + (to - from) * gauss_node(i));
+    return (to - from) * sum;
 }
 
 /* Of a density that changes within a distance from `zero` and beyond it like a power: panels there

@@ -34,9 +34,6 @@ quad reference_dot(const quad a[3], const quad b[3]);
 void reference_cross(const quad a[3], const quad b[3], quad c[3]);
 quad reference_length(const quad v[3]);
 
-/* Before all else: makes the rule of quadrature. */
-void reference_rule(void);
-
 /* From the vectors to the vertices; whether anything is seen of it. */
 int reference_corner(const quad a[3], const quad b[3], const quad c[3],
                      struct reference_corner *o);

@@ -10,11 +10,11 @@
  */
 #include "arcs.h"
 #include "calls.h"
-#include "quad.h"
+#include "gauss.h"
 #include "random.h"
 #include "worst.h"
 
-enum { CONES = 250, SAMPLES = 3, NODES = 24, GRADES = 26, PANELS = 6 * GRADES + 8 };
+enum { CONES = 250, SAMPLES = 3, GRADES = 26, PANELS = 6 * GRADES + 8 };
 
 /* Of the total: the horizon is four rounded numbers here. */
 static const double cdf_bound[2] = {3e-7, 1e-14}, total_bound = 5e-15;
@@ -29,33 +29,6 @@ struct cone {
     int panels;
     quad edge[PANELS], above[PANELS]; /* downwards: where a panel ends, the integral up to there */
 };
-
-static quad node[NODES], weight[NODES];
-
-/* Gauss and Legendre's, by Newton's steps from the cosines. */
-static void make_nodes(void)
-{
-    int i, k, step;
-
-    for (i = 0; i < NODES; i++) {
-        quad x = quad_cos(quad_pi() * (i + (quad)3 / 4) / (NODES + (quad)1 / 2)), slope = 1;
-
-        for (step = 0; step < 8; step++) {
-            quad p0 = 1, p1 = x;
-
-            for (k = 2; k <= NODES; k++) {
-                const quad p2 = ((2 * k - 1) * x * p1 - (k - 1) * p0) / k;
-
-                p0 = p1;
-                p1 = p2;
-            }
-            slope = NODES * (x * p1 - p0) / (x * x - 1);
-            x -= p1 / slope;
-        }
-        node[i] = x;
-        weight[i] = 2 / ((1 - x * x) * slope * slope);
-    }
-}
 
 /* The tangents of chi at both ends of the fibre at psi. */
 static void fibre_ends(const struct cone *k, quad psi, quad tangent[2])
@@ -87,9 +60,9 @@ static quad integral(const struct cone *k, quad from, quad to)
     quad sum = 0;
     int i;
 
-    for (i = 0; i < NODES; i++)
-        sum += weight[i] * density(k, (from + to) / 2 + (to - from) / 2 * node[i]);
-    return sum * (to - from) / 2;
+    for (i = 0; i < GAUSS_NODES; i++)
+        sum += gauss_weight(i) * density(k, from + (to - from) * gauss_node(i));
+    return (to - from) * sum;
 }
 
 static void add_panel(struct cone *k, quad edge)
@@ -236,7 +209,6 @@ int main(void)
     uint64_t seed = 210;
     int i, j, bits;
 
-    make_nodes();
     for (i = 0; i < CONES; i++) {
         const char *text = "cone %d: alpha %a beta %a upwards %a %a lower %d gap %a u %a v %a f%d";
         struct test_sampler s;

@@ -220,7 +220,6 @@ int main(void)
     const struct test_technique *what;
     size_t i;
 
-    reference_rule();
     for (i = 0; i < sizeof those / sizeof *those; i++)
         for (FOR_TECHNIQUES(those[i], what))
             if (what->measure == PSC_MEASURE_SOLID_ANGLE)

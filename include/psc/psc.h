@@ -342,7 +342,7 @@ PSC_API psc_result psc_build_cap(psc_sampler *sampler, const psc_technique *tech
  * the horizontal line across the axis z of the cone of directions cut it. u runs from the highest
  * fibre (0) to the lowest or the horizon (1), v along a fibre, towards z x n. For a receiver that
  * is lit on both sides u goes on beyond the horizon to the fibre farthest below, each side having
- * its share of the total. Totals are within 2e-15 of themselves however little of the light is
+ * its share of the total. Totals are within 3e-15 of themselves however little of the light is
  * above the horizon, u and v within 1e-14 of exact; needles of nearly half a turn (to 1e-4), seen
  * along their length, may lose digits, to 3e-11. Lights of up to 0.5 radians that are not just
  * touched by the horizon are fastest by far.
@@ -955,7 +955,7 @@ PSC_API psc_result psc_polygon_form_factor(const psc_receiver *receiver, size_t 
                                            double *form_factor);
 
 /** Form factor from the receiver to a disk, see psc_sampler_form_factor(), without a sampler: from
-    either side of the disk, to 2e-15 of itself whether the horizon cuts the disk or not.
+    either side of the disk, to 3e-15 of itself whether the horizon cuts the disk or not.
     @return as psc_build_disk(); 0 is written with PSC_EMPTY @since 0.1 */
 PSC_API psc_result psc_disk_form_factor(const psc_receiver *receiver, const double center[3],
                                         const double normal[3], double radius,
