@@ -137,32 +137,49 @@ static inline psc_result disk_see(psc_sampler *s, const struct psc_request *requ
     return flat_see(s, request, offset, (const double(*)[3])axes, scale, &o);
 }
 
+/* The centre as seen from the receiver, and the semi-axes that follow it in the geometry, in units
+   of 1 / scale: rounded and in two words. PSC_EMPTY without size. */
+static inline psc_result see_axes(const struct psc_request *request, const double *geometry,
+                                  int count, struct psc_wide offset[3], double axes[][3],
+                                  struct psc_wide wide[][3], double *scale)
+{
+    double size = 0.0, rough[3];
+    int i, k;
+
+    for (k = 0; k < count; k++)
+        size = MAX(size, largest(geometry + 3 + 3 * k));
+    if (size == 0.0)
+        return PSC_EMPTY;
+    for (i = 0; i < 3; i++)
+        rough[i] = geometry[i] - request->position[i];
+    if (!is_finite3(rough))
+        return PSC_ERROR_NOT_FINITE;
+    *scale = unit_scale(MAX(largest(rough), size));
+    see_offset(request->position, geometry, *scale, offset);
+    for (k = 0; k < count; k++) {
+        for (i = 0; i < 3; i++)
+            axes[k][i] = geometry[3 + 3 * k + i] * *scale;
+        wide_vector(axes[k], wide[k]);
+    }
+    return PSC_SUCCESS;
+}
+
 /* geometry: centre, two conjugate semi-axes. */
 static inline psc_result elliptical_see(psc_sampler *s, const struct psc_request *request,
                                           const double *geometry)
 {
     struct psc_disk_light *d = &s->disk;
-    double axes[2][3], high[3], size, scale, length;
+    double axes[2][3], high[3], scale, length;
     struct psc_wide offset[3], wide[2][3], normal[3], det;
     struct psc_outline o;
+    psc_result result;
     struct psc_foot foot;
-    int i, k;
+    int i;
 
     disk_clear(d, request);
-    size = MAX(largest(geometry + 3), largest(geometry + 6));
-    if (size == 0.0)
-        return PSC_EMPTY;
-    for (i = 0; i < 3; i++)
-        high[i] = geometry[i] - request->position[i];
-    if (!is_finite3(high))
-        return PSC_ERROR_NOT_FINITE;
-    scale = unit_scale(MAX(largest(high), size));
-    see_offset(request->position, geometry, scale, offset);
-    for (k = 0; k < 2; k++) {
-        for (i = 0; i < 3; i++)
-            axes[k][i] = geometry[3 + 3 * k + i] * scale;
-        wide_vector(axes[k], wide[k]);
-    }
+    result = see_axes(request, geometry, 2, offset, axes, wide, &scale);
+    if (result != PSC_SUCCESS)
+        return result;
     wide_cross(wide[0], wide[1], normal);
     det = wide_dot(normal, offset);
     for (i = 0; i < 3; i++)
@@ -182,7 +199,8 @@ static inline psc_result elliptical_see(psc_sampler *s, const struct psc_request
         return PSC_EMPTY;
     if (request->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE) {
         scale_to_one(request->normal, high);
-        light_horizon(&o, high, (const struct psc_wide(*)[3])wide, 2, NULL, offset, 1.0, &d->horizon);
+        light_horizon(&o, high, (const struct psc_wide(*)[3])wide, 2, NULL, offset, 1.0,
+                      &d->horizon);
     }
     memcpy(d->center, geometry, sizeof d->center);
     return flat_see(s, request, offset, (const double(*)[3])axes, scale, &o);
@@ -223,26 +241,16 @@ static inline psc_result ellipsoid_see(psc_sampler *s, const struct psc_request 
 {
     struct psc_disk_light *d = &s->disk;
     struct psc_wide offset[3], e[3][3], cofactor[3][3], det, part[3], square;
-    double axes[3][3], high[3], f[3][3], g[2][3], center[3], size, scale, kappa, outer, length;
+    double axes[3][3], high[3], f[3][3], g[2][3], center[3], scale, kappa, outer, length;
     struct psc_outline o;
+    psc_result result;
     int i, k;
 
     disk_clear(d, request);
     d->solid = 1;
-    size = MAX(largest(geometry + 3), MAX(largest(geometry + 6), largest(geometry + 9)));
-    if (size == 0.0)
-        return PSC_EMPTY;
-    for (i = 0; i < 3; i++)
-        high[i] = geometry[i] - request->position[i];
-    if (!is_finite3(high))
-        return PSC_ERROR_NOT_FINITE;
-    scale = unit_scale(MAX(largest(high), size));
-    see_offset(request->position, geometry, scale, offset);
-    for (k = 0; k < 3; k++) {
-        for (i = 0; i < 3; i++)
-            axes[k][i] = geometry[3 + 3 * k + i] * scale;
-        wide_vector(axes[k], e[k]);
-    }
+    result = see_axes(request, geometry, 3, offset, axes, e, &scale);
+    if (result != PSC_SUCCESS)
+        return result;
     for (k = 0; k < 3; k++)
         wide_cross(e[(k + 1) % 3], e[(k + 2) % 3], cofactor[k]);
     det = wide_dot(e[0], cofactor[0]);
@@ -316,8 +324,8 @@ static inline psc_result ellipsoid_see(psc_sampler *s, const struct psc_request 
         }
         if (request->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE) {
             scale_to_one(request->normal, high);
-            light_horizon(&o, high, (const struct psc_wide(*)[3])e, 3, (const double(*)[3])f, offset,
-                          kappa, &d->horizon);
+            light_horizon(&o, high, (const struct psc_wide(*)[3])e, 3, (const double(*)[3])f,
+                          offset, kappa, &d->horizon);
         }
         for (k = 0; k < 2; k++)
             for (i = 0; i < 3; i++)
