@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "bench.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* One ratio of two jobs, and how large or small it is meant to be. */
@@ -45,36 +46,53 @@ static const struct bar {
     {"radial at most 2.5 cones", IN(WAVEFRONT), OWN, CONE, 1u << CASE_CORNELL, 32, 2.5, 0},
 #define DISKS (1u << CASE_DISK | 1u << CASE_DISK_SMALL)
 #define ALL_DISKS (DISKS | 1u << CASE_DISK_WIDE)
+#define ELLIPSES (1u << CASE_ELLIPSE_DISK | 1u << CASE_ELLIPSE_DISK_SMALL)
+#define ALL_ELLIPSES (ELLIPSES | 1u << CASE_ELLIPSE_DISK_WIDE)
+#define ELLIPSOIDS (1u << CASE_ELLIPSOID | 1u << CASE_ELLIPSOID_SMALL)
+#define PROJECTED_CONES                                                               \
+    (DISKS | 1u << CASE_DISK_CUT | ELLIPSES | 1u << CASE_ELLIPSE_DISK_CUT | ELLIPSOIDS | \
+     1u << CASE_ELLIPSOID_CUT)
 #define CONCENTRIC {"solid angle, concentric", NULL}
+#define CHORDS {"solid angle, parallel", NULL}
 #define DISK_AREA {"area, concentric", NULL}
-    {"concentric at most 1.3 areas", IN(MANY), CONCENTRIC, DISK_AREA, ALL_DISKS, 32, 1.3, 0},
-    {"concentric at most 1.5 areas", IN(MANY), CONCENTRIC, DISK_AREA, ALL_DISKS, 64, 1.5, 0},
+#define FIBRES {"projected solid angle, parallel", NULL}
+#define FIBRE_CALLS {"projected solid angle, parallel", "calls"}
+    {"concentric at most 1.3 areas", IN(MANY), CONCENTRIC, DISK_AREA, ALL_DISKS | ALL_ELLIPSES, 32,
+     1.3, 0},
+    {"concentric at most 1.5 areas", IN(MANY), CONCENTRIC, DISK_AREA, ALL_DISKS | ALL_ELLIPSES, 64,
+     1.5, 0},
+    {"parallel at most 10 areas", IN(MANY), CHORDS, DISK_AREA, ALL_DISKS | ALL_ELLIPSES, 96, 10.0,
+     0},
     {"concentric 100 times as fast as Newton", IN(MANY), {"radial", "Newton"}, CONCENTRIC,
      ALL_DISKS, 96, 100.0, 1},
-    {"concentric faster than the table", IN(MANY), {"radial", "table"}, CONCENTRIC, ALL_DISKS,
-     96, 1.0, 1},
+    {"concentric faster than a table of 64", IN(MANY), {"radial", "table 64"}, CONCENTRIC,
+     ALL_DISKS, 96, 1.0, 1},
+    {"concentric faster than a table of 1024", IN(MANY), {"radial", "table 1024"}, CONCENTRIC,
+     ALL_DISKS, 96, 1.0, 1},
+    {"concentric faster than the library's table", IN(MANY), {"solid angle, tabulated", NULL},
+     CONCENTRIC, ALL_DISKS | ALL_ELLIPSES | ELLIPSOIDS, 96, 1.0, 1},
     {"concentric at most 5 areas", IN(ONE), {"solid angle, concentric", "calls"},
-     {"area, concentric", "calls"}, DISKS, 32, 5.0, 0},
-    {"concentric at most 4 areas", IN(WAVEFRONT), CONCENTRIC, DISK_AREA, DISKS, 32, 4.0, 0},
-    {"projected at most 0.3 us", IN(MANY), {"projected, concentric", "calls"}, {NULL, NULL},
-     DISKS | 1u << CASE_DISK_CUT, 64, 300.0, 0},
-    {"projected, with build, at most 1.3 us", IN(ONE), {"projected, concentric", "calls"},
-     {NULL, NULL}, DISKS | 1u << CASE_DISK_CUT, 64, 1300.0, 0},
-    {"projected batch 5 times as fast as calls", IN(MANY), {"projected, concentric", "calls"},
-     {"projected, concentric", NULL}, DISKS | 1u << CASE_DISK_CUT, 32, 5.0, 1},
+     {"area, concentric", "calls"}, DISKS | ELLIPSES, 32, 5.0, 0},
+    {"concentric at most 4 areas", IN(WAVEFRONT), CONCENTRIC, DISK_AREA, DISKS | ELLIPSES, 32, 4.0,
+     0},
+    {"projected at most 300 ns", IN(MANY), FIBRE_CALLS, {NULL, NULL}, PROJECTED_CONES, 64, 300.0, 0},
+    {"projected, with build, at most 1300 ns", IN(ONE), FIBRE_CALLS, {NULL, NULL},
+     PROJECTED_CONES, 64, 1300.0, 0},
+    {"projected batch 5 times as fast as calls", IN(MANY), FIBRE_CALLS, FIBRES, PROJECTED_CONES, 32,
+     5.0, 1},
 #define TRIANGLES (1u << CASE_TRIANGLE | 1u << CASE_TRIANGLE_SMALL | 1u << CASE_TRIANGLE_WIDE)
 #define PROJECTED_TRIANGLES (TRIANGLES | 1u << CASE_TRIANGLE_CUT)
 #define ARVO {"solid angle, radial", NULL}
 #define ARVO_CALLS {"solid angle, radial", "calls"}
-#define PROJECTED {"projected, radial", NULL}
+#define PROJECTED {"projected solid angle, radial", NULL}
     {"triangle faster than the paper", IN(ONE), {"Arvo", "paper"}, ARVO_CALLS, TRIANGLES, 96,
      1.0, 1},
     {"triangle batch at most 0.2 calls", IN(MANY), ARVO, ARVO_CALLS, TRIANGLES, 32, 0.2, 0},
     {"triangle at most 0.15 builds and samples", REGIME_WAVEFRONT, REGIME_ONE, ARVO, ARVO_CALLS,
      TRIANGLES, 32, 0.15, 0},
-    {"projected at most 6 solid angles", IN(MANY), {"projected, radial", "calls"}, ARVO_CALLS,
+    {"projected at most 6 solid angles", IN(MANY), {"projected solid angle, radial", "calls"}, ARVO_CALLS,
      PROJECTED_TRIANGLES, 64, 6.0, 0},
-    {"projected batch at most 0.5 calls", IN(MANY), PROJECTED, {"projected, radial", "calls"},
+    {"projected batch at most 0.5 calls", IN(MANY), PROJECTED, {"projected solid angle, radial", "calls"},
      PROJECTED_TRIANGLES, 96, 0.5, 0},
 };
 
@@ -119,20 +137,49 @@ static void each_bar(FILE *to, void (*print)(FILE *, const struct bar *, int whi
     for (i = 0; i < sizeof bars / sizeof *bars; i++)
         for (which = 0; which < CASES; which++)
             for (bits = 64; bits >= 32; bits -= 32)
-                if (bars[i].cases & 1u << which && bars[i].bits & bits) {
+                if (bars[i].cases & 1u << which && bars[i].bits & bits &&
+                    family_shape(bench_cases[which].family)) {
                     const struct bar *b = &bars[i];
-                    const double over = side_median(b->regime, &b->over, which, bits);
-                    const double under = side_median(b->regime_under, &b->under, which, bits);
+                    const double ratio = side_median(b->regime, &b->over, which, bits) /
+                                         side_median(b->regime_under, &b->under, which, bits);
 
-                    if (over > 0.0 && under > 0.0) /* both are there */
-                        print(to, b, which, bits, over / under,
-                              b->at_least ? over / under >= b->bound : over / under <= b->bound);
+                    print(to, b, which, bits, ratio,
+                          b->at_least ? ratio >= b->bound : ratio <= b->bound);
                 }
+}
+
+static void check_side(const struct bar *b, enum regime regime, const struct side *s, int which)
+{
+    size_t i;
+
+    for (i = 0; s->method && i < job_count; i++)
+        if (jobs[i].regime == regime && jobs[i].which == which &&
+            !strcmp(jobs[i].method, s->method) &&
+            !strcmp(jobs[i].how, s->how ? s->how : variant_name(variant_best())))
+            break;
+    if (s->method && i == job_count) {
+        fprintf(stderr, "bar \"%s\", %s: no job %s/%s/%s\n", b->text, bench_cases[which].name,
+                regime_names[regime], s->method, s->how ? s->how : variant_name(variant_best()));
+        exit(1);
+    }
+}
+
+void check_bars(void)
+{
+    size_t i;
+    int which;
+
+    for (i = 0; i < sizeof bars / sizeof *bars; i++)
+        for (which = 0; which < CASES; which++)
+            if (bars[i].cases & 1u << which && family_shape(bench_cases[which].family)) {
+                check_side(&bars[i], bars[i].regime, &bars[i].over, which);
+                check_side(&bars[i], bars[i].regime_under, &bars[i].under, which);
+            }
 }
 
 static void print_row(FILE *to, const struct bar *b, int which, int bits, double ratio, int met)
 {
-    fprintf(to, "%-10s%-42s%-11s f%d%9.2f   %s\n", regime_names[b->regime], b->text,
+    fprintf(to, "%-10s%-44s%-13s f%d%9.2f   %s\n", regime_names[b->regime], b->text,
             bench_cases[which].name, bits, ratio, met ? "met" : "not met");
 }
 
@@ -144,9 +191,11 @@ void print_bars(FILE *to)
 
 static void print_object(FILE *to, const struct bar *b, int which, int bits, double ratio, int met)
 {
+    static int count;
+
     fprintf(to, "%s\n  {\"regime\": \"%s\", \"bar\": \"%s\", \"case\": \"%s\", \"bits\": %d, "
                 "\"ratio\": %.3f, \"met\": %s}",
-            b == bars && bits == 64 ? "" : ",", regime_names[b->regime], b->text,
+            count++ ? "," : "", regime_names[b->regime], b->text,
             bench_cases[which].name, bits, ratio, met ? "true" : "false");
 }
 

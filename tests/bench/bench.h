@@ -15,8 +15,8 @@
 /* ---- The lights that are sampled: stage.c, cornell.c ---- */
 
 /* Shapes that are compared with each other and share their rivals. */
-enum family { FAMILY_SPHERE, FAMILY_DISK, FAMILY_TRIANGLE, FAMILY_RECTANGLE, FAMILY_POLYGON,
-              FAMILIES };
+enum family { FAMILY_SPHERE, FAMILY_DISK, FAMILY_ELLIPSE, FAMILY_ELLIPSOID, FAMILY_TRIANGLE,
+              FAMILY_RECTANGLE, FAMILY_POLYGON, FAMILIES };
 
 extern const struct bench_family {
     const char *shape; /* as the table of shapes calls it */
@@ -24,7 +24,10 @@ extern const struct bench_family {
     const char *baseline, *baseline_how, *text;
 } bench_families[FAMILIES];
 
-/* The shape of a family; NULL if the library has none such. */
+/* The one family to time, by its shape's name; 0 if there is none such. All, unless told. */
+int choose_family(const char *shape);
+
+/* The shape of a family; NULL if the library has none such, or it is not to be timed. */
 const struct shape *family_shape(enum family family);
 
 /* Lights that fill a half-angle, their middle at one elevation, seen by receivers of all
@@ -32,6 +35,8 @@ const struct shape *family_shape(enum family family);
 enum {
     CASE_ELLIPSE, CASE_MIXED, CASE_LUNE, CASE_THIN, CASE_SUN, CASE_CORNELL,
     CASE_DISK, CASE_DISK_SMALL, CASE_DISK_WIDE, CASE_DISK_CUT,
+    CASE_ELLIPSE_DISK, CASE_ELLIPSE_DISK_SMALL, CASE_ELLIPSE_DISK_WIDE, CASE_ELLIPSE_DISK_CUT,
+    CASE_ELLIPSOID, CASE_ELLIPSOID_SMALL, CASE_ELLIPSOID_WIDE, CASE_ELLIPSOID_CUT,
     CASE_TRIANGLE, CASE_TRIANGLE_SMALL, CASE_TRIANGLE_WIDE, CASE_TRIANGLE_CUT,
     CASE_RECTANGLE, CASE_RECTANGLE_SMALL, CASE_RECTANGLE_WIDE, CASE_RECTANGLE_CUT,
     CASE_POLYGON, CASE_POLYGON_SMALL, CASE_POLYGON_WIDE, CASE_POLYGON_CUT,
@@ -141,7 +146,9 @@ void describe_machine(struct machine *machine);
 void print_tables(FILE *to, const struct machine *machine, size_t rounds);
 void print_json(FILE *to, const struct machine *machine, size_t rounds);
 
-/* The bars: ratios that the kernels are meant to reach. */
+/* The bars: ratios that the kernels are meant to reach; the check ends the program if one is of a
+   job that there is not. */
+void check_bars(void);
 void print_bars(FILE *to);
 void print_bars_json(FILE *to);
 

@@ -221,39 +221,48 @@ static inline void disk_sample_f64(const struct spherical_ellipse_f64 *e, double
 
 /* ---- The table ---- */
 
-enum { DISK_TABLE = 1024 };
-
 /* By the ratio of the semi-arcs and the angle: the share of the quadrant up to there. */
-static float disk_table[DISK_TABLE][DISK_TABLE];
+#define DISK_TABLES(X) X(64) X(256) X(1024)
+#define DISK_TABLE(n) static float disk_table_of_##n[(n) * (n)];
+DISK_TABLES(DISK_TABLE)
+#undef DISK_TABLE
 
-static inline void make_disk_table(void)
+static inline void make_disk_table(int resolution, float *table)
 {
     const double right = asin(1.0), alpha = 0.3;
     int row, i;
 
-    for (row = 0; row < DISK_TABLE; row++) {
+    for (row = 0; row < resolution; row++, table += resolution) {
         struct spherical_ellipse_f64 e;
         double sum = 0.0;
 
         memset(&e, 0, sizeof e);
         e.a = sin(alpha);
-        e.b = sin(alpha * (row + 0.5) / DISK_TABLE);
-        for (i = 0; i < DISK_TABLE; i++) {
-            disk_table[row][i] = (float)sum;
-            sum += 1.0 - radial_height(&e, (i + 0.5) / DISK_TABLE * right);
+        e.b = sin(alpha * (row + 0.5) / resolution);
+        for (i = 0; i < resolution; i++) {
+            table[i] = (float)sum;
+            sum += 1.0 - radial_height(&e, (i + 0.5) / resolution * right);
         }
-        for (i = 0; i < DISK_TABLE; i++)
-            disk_table[row][i] = (float)(disk_table[row][i] / sum);
+        for (i = 0; i < resolution; i++)
+            table[i] = (float)(table[i] / sum);
     }
 }
 
-static inline void disk_table_sample_f64(const struct spherical_ellipse_f64 *e, double u, double v,
+static inline void make_disk_tables(void)
+{
+#define MAKE_DISK_TABLE(n) make_disk_table(n, disk_table_of_##n);
+    DISK_TABLES(MAKE_DISK_TABLE)
+#undef MAKE_DISK_TABLE
+}
+
+static inline void disk_table_sample(int resolution, const float *table,
+                                     const struct spherical_ellipse_f64 *e, double u, double v,
                                      double direction[3], double *pdf)
 {
     const double right = asin(1.0);
-    const int ratio = (int)(asin(e->b) / asin(e->a) * DISK_TABLE);
-    const float *row = disk_table[ratio < DISK_TABLE ? ratio : DISK_TABLE - 1];
-    int quadrant, low = 0, high = DISK_TABLE;
+    const int ratio = (int)(asin(e->b) / asin(e->a) * resolution);
+    const float *row = table + (ratio < resolution ? ratio : resolution - 1) * resolution;
+    int quadrant, low = 0, high = resolution;
     const double t = fold_quadrant(u, &quadrant);
     double next, phi;
 
@@ -262,10 +271,19 @@ static inline void disk_table_sample_f64(const struct spherical_ellipse_f64 *e, 
 
         *(row[middle] <= t ? &low : &high) = middle;
     }
-    next = high < DISK_TABLE ? row[high] : 1.0;
-    phi = (low + (t - row[low]) / (next - row[low])) / DISK_TABLE * right;
+    next = high < resolution ? row[high] : 1.0;
+    phi = (low + (t - row[low]) / (next - row[low])) / resolution * right;
     place_on_ellipse(e, quadrant, phi, radial_height(e, phi), v, direction);
     *pdf = e->pdf;
 }
+
+#define DISK_TABLE_SAMPLE(n)                                                                    \
+    static inline void disk_table_##n##_f64(const struct spherical_ellipse_f64 *e, double u,    \
+                                            double v, double direction[3], double *pdf)         \
+    {                                                                                           \
+        disk_table_sample(n, disk_table_of_##n, e, u, v, direction, pdf);                       \
+    }
+DISK_TABLES(DISK_TABLE_SAMPLE)
+#undef DISK_TABLE_SAMPLE
 
 #endif

@@ -17,7 +17,9 @@
 
 /* In double precision alone. */
 RIVAL(run_disk_newton, spherical_ellipse, 7, disk_build, disk_sample)
-RIVAL(run_disk_table, spherical_ellipse, 7, disk_build, disk_table_sample)
+RIVAL(run_disk_table_64, spherical_ellipse, 7, disk_build, disk_table_64)
+RIVAL(run_disk_table_256, spherical_ellipse, 7, disk_build, disk_table_256)
+RIVAL(run_disk_table_1024, spherical_ellipse, 7, disk_build, disk_table_1024)
 
 #undef BITS
 #define BITS 32
@@ -85,7 +87,9 @@ static void add_rivals(enum regime regime)
         {FAMILY_SPHERE, "radial", "paper", run_paper_radial_f64, run_paper_radial_f32},
         {FAMILY_SPHERE, "parallel", "paper", run_paper_parallel_f64, run_paper_parallel_f32},
         {FAMILY_DISK, "radial", "Newton", run_disk_newton_f64, NULL},
-        {FAMILY_DISK, "radial", "table", run_disk_table_f64, NULL},
+        {FAMILY_DISK, "radial", "table 64", run_disk_table_64_f64, NULL},
+        {FAMILY_DISK, "radial", "table 256", run_disk_table_256_f64, NULL},
+        {FAMILY_DISK, "radial", "table 1024", run_disk_table_1024_f64, NULL},
         {FAMILY_TRIANGLE, "Arvo", "paper", run_triangle_arvo_f64, run_triangle_arvo_f32},
         {FAMILY_RECTANGLE, "UFK", "paper", run_rectangle_ufk_f64, run_rectangle_ufk_f32},
         {FAMILY_POLYGON, "Arvo", "paper", run_pentagon_arvo_f64, run_pentagon_arvo_f32},
@@ -132,14 +136,14 @@ void make_jobs(void)
     enum family family;
 
     if (family_shape(FAMILY_DISK))
-        make_disk_table();
+        make_disk_tables();
     for (regime = REGIME_MANY; regime < REGIMES; regime++) {
         add_rivals(regime);
         for (family = FAMILY_SPHERE; family < FAMILIES; family++) {
             const struct shape *shape = family_shape(family);
-            const struct test_technique *what = family == FAMILY_SPHERE ? spheres
-                                                : shape                 ? shape->techniques
-                                                                        : NULL;
+            const struct test_technique *what = !shape                    ? NULL
+                                                : family == FAMILY_SPHERE ? spheres
+                                                                          : shape->techniques;
 
             for (; what && what->name; what++)
                 add_method(family, regime, what->name, what);

@@ -7,12 +7,14 @@
 static int usage(const char *program)
 {
     fprintf(stderr,
-            "usage: %s [--quick] [--rounds N] [--json FILE] [--only JOB]\n"
+            "usage: %s [--quick] [--rounds N] [--json FILE] [--shape SHAPE] [--only JOB]\n"
             "Times the library's sampling against that of others and prints ratios.\n"
             "  --quick      fewer rounds: noisier\n"
             "  --rounds N   how often everything is timed, 41 unless told\n"
             "  --json FILE  also writes all figures to FILE (- for the output, in place of the "
             "tables)\n"
+            "  --shape SHAPE  times lights of that shape alone: sphere, disk, ellipse, ellipsoid,\n"
+            "               triangle, rectangle or 5-gon\n"
             "  --only JOB   runs one job for a second, for a profiler to look at: its regime,\n"
             "               method, calls, case and bits, as in one/radial/calls/ellipse/64\n",
             program);
@@ -57,6 +59,8 @@ int main(int argc, char **argv)
             rounds = strtoul(argv[++i], NULL, 10);
         else if (!strcmp(argv[i], "--json") && i + 1 < argc)
             json = argv[++i];
+        else if (!strcmp(argv[i], "--shape") && i + 1 < argc && choose_family(argv[i + 1]))
+            i++;
         else if (!strcmp(argv[i], "--only") && i + 1 < argc)
             only = argv[++i];
         else
@@ -69,11 +73,13 @@ int main(int argc, char **argv)
     make_jobs();
     if (only)
         return run_only(only);
+    check_bars();
     if (!measure_jobs(rounds)) {
         fprintf(stderr, "%s: out of memory\n", argv[0]);
         return 1;
     }
-    measure_errors();
+    if (family_shape(FAMILY_SPHERE))
+        measure_errors();
     if (!json || strcmp(json, "-") != 0)
         print_tables(stdout, &machine, rounds);
     if (json) {

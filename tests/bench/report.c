@@ -39,6 +39,8 @@ static void print_machine(FILE *to, const struct machine *machine, size_t rounds
     for (v = 0; v < CASES; v++)
         if (family_shape(bench_cases[v].family))
             fprintf(to, "%-10s %s\n", bench_cases[v].name, bench_cases[v].text);
+    if (!family_shape(FAMILY_SPHERE))
+        return;
     count_cornell(counts);
     fprintf(to, "cornell:  %zu elements: %zu below the horizon, %zu ellipse, %zu ellipse and "
                 "lune, %zu lune, %zu inside\n",
@@ -106,7 +108,8 @@ void print_tables(FILE *to, const struct machine *machine, size_t rounds)
         for (regime = REGIME_MANY; regime < REGIMES; regime++)
             for (bits = 64; bits >= 32 && family_shape(family); bits -= 32)
                 print_table(to, family, regime, bits);
-    print_errors(to);
+    if (family_shape(FAMILY_SPHERE))
+        print_errors(to);
     print_bars(to);
 }
 
@@ -140,7 +143,7 @@ void print_json(FILE *to, const struct machine *machine, size_t rounds)
                 bench_cases[j->which].name, j->bits, j->median, j->low, j->high);
     }
     fputs("],\n\"cdf_errors\": [", to);
-    for (i = 0; i < CDF_ERRORS; i++) {
+    for (i = 0; i < CDF_ERRORS && family_shape(FAMILY_SPHERE); i++) {
         const struct cdf_error *e = &cdf_errors[i];
 
         fprintf(to, "%s\n  {\"method\": \"%s\", \"case\": \"%s\", \"bits\": %d, \"paper\": %.3g, "
