@@ -7,29 +7,32 @@
 #include "disk_view.h"
 
 #include "ellipse_fit_tmpl.h"
+#include "span_fit_tmpl.h"
 #undef PSC_BITS
 #define PSC_BITS 32
 #include "precision.h"
 #include "ellipse_fit_tmpl.h"
+#include "span_fit_tmpl.h"
 #undef PSC_BITS
 #define PSC_BITS 64
 #include "precision.h"
 
 #include "fibre_build.h"
 
-#define RULE_AT_LEAST(i, m, steps, least) quotient >= (least) ? (i) :
-static inline int rule_f64(double ca, double cb)
+/* The rules of interpolation of a cone by its map. */
+#define RULE_AT_LEAST(i, m, steps, least) least_of >= (least) ? (i) :
+static inline void choose_rules(struct psc_disk_light *d)
 {
-    const double quotient = cb > 0.0 ? ca / cb : 1.0;
+    const double ca = d->seen.ca, cb = d->seen.cb;
+    const double least_of = d->map == PSC_DISK_PARALLEL ? ca : cb > 0.0 ? ca / cb : 1.0;
 
-    return PSC_RULES_F64(RULE_AT_LEAST) -1;
-}
-
-static inline int rule_f32(double ca, double cb)
-{
-    const double quotient = cb > 0.0 ? ca / cb : 1.0;
-
-    return PSC_RULES_F32(RULE_AT_LEAST) -1;
+    if (d->map == PSC_DISK_PARALLEL) {
+        d->rule_f64 = PSC_SPAN_RULES_F64(RULE_AT_LEAST) -1;
+        d->rule_f32 = PSC_SPAN_RULES_F32(RULE_AT_LEAST) -1;
+    } else {
+        d->rule_f64 = PSC_RULES_F64(RULE_AT_LEAST) -1;
+        d->rule_f32 = PSC_RULES_F32(RULE_AT_LEAST) -1;
+    }
 }
 #undef RULE_AT_LEAST
 
@@ -69,6 +72,38 @@ static inline void radial_fit(struct psc_disk_light *d)
 #undef FIT_CASE_F64
 #undef FIT_CASE_F32
     d->cdf.mean = d->cdf.series[0];
+}
+
+/* What the parallel map needs, in both precisions. */
+static inline void parallel_fit(struct psc_disk_light *d)
+{
+    const double ca = d->seen.ca, cb = d->seen.cb;
+    const float ca_f = (float)ca, cb_f = (float)cb;
+    const struct span_input_f64 wide = {&ca, &cb};
+    const struct span_input_f32 narrow = {&ca_f, &cb_f};
+    double work[PSC_MOST_TERMS_F64 + 1];
+    float work_f[PSC_MOST_TERMS_F32 + 1];
+
+#define SPAN_CASE_F64(i, m, steps, least)                                                          \
+    case i:                                                                                        \
+        span_fit_f64(m, 1, 1, psc_rule_f64_##m.c, psc_rule_f64_##m.s, psc_rule_f64_##m.wave,       \
+                     &wide, work, d->fit_f64);                                                     \
+        break;
+#define SPAN_CASE_F32(i, m, steps, least)                                                          \
+    case i:                                                                                        \
+        span_fit_f32(m, 1, 1, psc_rule_f32_##m.c, psc_rule_f32_##m.s, psc_rule_f32_##m.wave,       \
+                     &narrow, work_f, d->fit_f32);                                                 \
+        break;
+    switch (d->rule_f64) {
+        PSC_SPAN_RULES_F64(SPAN_CASE_F64)
+    default: break;
+    }
+    switch (d->rule_f32) {
+        PSC_SPAN_RULES_F32(SPAN_CASE_F32)
+    default: break;
+    }
+#undef SPAN_CASE_F64
+#undef SPAN_CASE_F32
 }
 
 /* A half space: the cone of a receiver on a surface. */
@@ -114,8 +149,7 @@ static inline void disk_head(psc_sampler *s, const psc_table *table)
     if (d->map == PSC_DISK_TABULATED)
         table_choose(d, table);
     s->total = d->inside ? 4.0 * PSC_PI : area ? d->area : ellipse_total(&d->seen);
-    d->rule_f64 = rule_f64(d->seen.ca, d->seen.cb);
-    d->rule_f32 = rule_f32(d->seen.ca, d->seen.cb);
+    choose_rules(d);
 }
 
 /* The fibres above the horizon, and below it where the receiver is lit on both sides. From inside
@@ -153,7 +187,9 @@ static inline void disk_fit(psc_sampler *s)
         return;
     if (!(d->seen.ca > 0.0))
         half_space_fit(d);
-    else if (d->map != PSC_DISK_PARALLEL)
+    else if (d->map == PSC_DISK_PARALLEL)
+        parallel_fit(d);
+    else
         radial_fit(d);
     cdf_build(&d->cdf, &d->seen);
 }

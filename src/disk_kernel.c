@@ -12,6 +12,9 @@
 #include "elementary_tmpl.h"
 #include "chord_tmpl.h"
 #include "disk_map_tmpl.h"
+#include "span_map_tmpl.h"
+#else
+#include "span_map_tmpl.h"
 #endif
 
 #include "results_tmpl.h"

@@ -7,6 +7,7 @@
 
 #if PSC_REAL_BITS == 64
 #define DISK_RULES PSC_RULES_F64
+#define SPAN_RULES PSC_SPAN_RULES_F64
 #define DISK_RULE(d) ((d)->rule_f64)
 #define DISK_FIT(d) ((d)->fit_f64)
 #define AREA_FITS(d) 1
@@ -14,6 +15,7 @@
 #define DISK_RULE_TABLE(m) psc_rule_f64_##m
 #else
 #define DISK_RULES PSC_RULES_F32
+#define SPAN_RULES PSC_SPAN_RULES_F32
 #define DISK_RULE(d) ((d)->rule_f32)
 #define DISK_FIT(d) ((d)->fit_f32)
 #define DISK_TERMS PSC_MOST_TERMS_F32
@@ -74,6 +76,15 @@ static void FN(disk_point)(const psc_sampler *s, const struct FN(psc_disk_world)
         return;
             DISK_RULES(DISK_CASE)
 #undef DISK_CASE
+        default: break;
+        }
+        break;
+    case PSC_DISK_PARALLEL:
+        switch (DISK_RULE(d)) {
+#define SPAN_CASE(i, m, steps, least)                                                              \
+    case i: FN(span_point)(m, steps, 1, DISK_FIT(d), w->a, w->ca, w->b, w->cb, u, v, p); return;
+            SPAN_RULES(SPAN_CASE)
+#undef SPAN_CASE
         default: break;
         }
         break;
@@ -164,6 +175,27 @@ DISK_RULES(FITTED_BLOCKS)
 #undef FITTED_BLOCKS
 #undef FITTED_BLOCK
 
+#define SPAN_BLOCK(i, m, steps, least)                                                             \
+    static void FN(parallel_block_##m)(const psc_sampler *s, size_t n, const real *restrict u,     \
+                                       const real *restrict v,                                     \
+                                       struct FN(psc_disk_points) *restrict to)                    \
+    {                                                                                              \
+        const real a = (real)s->disk.seen.a, ca = (real)s->disk.seen.ca;                           \
+        const real b = (real)s->disk.seen.b, cb = (real)s->disk.seen.cb;                           \
+        real span[PSC_SPAN_ROWS(m)];                                                               \
+        size_t e;                                                                                  \
+                                                                                                   \
+        memcpy(span, DISK_FIT(&s->disk), sizeof span);                                             \
+        for (e = 0; e < n; e++) {                                                                  \
+            struct FN(psc_disk_point) p;                                                           \
+                                                                                                   \
+            FN(span_point)(m, steps, 1, span, a, ca, b, cb, u[e], v[e], &p);                       \
+            FN(store_point)(to, e, &p);                                                            \
+        }                                                                                          \
+    }
+SPAN_RULES(SPAN_BLOCK)
+#undef SPAN_BLOCK
+
 #define AREA_BLOCK(name, map)                                                                      \
     static void FN(name)(const psc_sampler *s, size_t n, const real *restrict u,                   \
                          const real *restrict v, struct FN(psc_disk_points) *restrict to)          \
@@ -220,6 +252,9 @@ static FN(disk_block) FN(block_of)(const struct psc_disk_light *d)
 #define DISK_ROW(i, m, steps, least) {FN(radial_block_##m), FN(concentric_block_##m)},
     static const FN(disk_block) fitted[][2] = {DISK_RULES(DISK_ROW)};
 #undef DISK_ROW
+#define SPAN_ROW(i, m, steps, least) FN(parallel_block_##m),
+    static const FN(disk_block) parallel[] = {SPAN_RULES(SPAN_ROW)};
+#undef SPAN_ROW
     static const FN(disk_block) area[] = {FN(area_radial_block), FN(area_concentric_block),
                                           FN(area_parallel_block)};
 
@@ -227,8 +262,9 @@ static FN(disk_block) FN(block_of)(const struct psc_disk_light *d)
         return area[d->map - PSC_DISK_AREA_RADIAL];
     if (d->map == PSC_DISK_QUASI_UNIFORM)
         return FN(quasi_block);
-    return d->map <= PSC_DISK_CONCENTRIC && DISK_RULE(d) >= 0 ? fitted[DISK_RULE(d)][d->map]
-                                                               : FN(solved_block);
+    if (d->map > PSC_DISK_PARALLEL || DISK_RULE(d) < 0)
+        return FN(solved_block);
+    return d->map == PSC_DISK_PARALLEL ? parallel[DISK_RULE(d)] : fitted[DISK_RULE(d)][d->map];
 }
 
 /* Densities of a block with the constants of one loop. */

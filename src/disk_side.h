@@ -22,7 +22,20 @@
     X(2, 6, 1, 0.7)      \
     X(3, 10, 1, PSC_ELLIPSE_REGULAR)
 #define PSC_MOST_TERMS_F64 24
-#define PSC_MOST_TERMS_F32 10
+#define PSC_MOST_TERMS_F32 12
+
+/* The same of the parallel map, see span_fit_tmpl.h, by the smallest cos alpha: the share of a chord
+   to 2e-15 at the lower end of the last rule and 1e-16 elsewhere, 4e-8 in float. */
+#define PSC_SPAN_RULES_F64(X) \
+    X(0, 6, 1, 0.997)         \
+    X(1, 8, 1, 0.97)          \
+    X(2, 12, 2, 0.83)         \
+    X(3, 16, 2, 0.66)         \
+    X(4, 24, 2, 0.36)
+#define PSC_SPAN_RULES_F32(X) \
+    X(0, 4, 1, 0.98)          \
+    X(1, 6, 1, 0.84)          \
+    X(2, 12, 2, 0.36)
 
 enum psc_disk_map {
     PSC_DISK_RADIAL,
@@ -79,8 +92,8 @@ struct psc_disk_light {
     enum psc_disk_map map;
     const float *shares; /* of PSC_DISK_TABULATED: the row of the table, with one more than cells */
     uint32_t cells;
-    int rule_f64, rule_f32; /* -1: none, cdf_solve() */
-    double fit_f64[3 * PSC_MOST_TERMS_F64];
+    int rule_f64, rule_f32; /* -1: none, disk_solve.h */
+    double fit_f64[3 * PSC_MOST_TERMS_F64]; /* or a span */
     float fit_f32[3 * PSC_MOST_TERMS_F32];
     struct psc_cdf cdf;
 

@@ -9,7 +9,7 @@ from mpmath import mp, mpf, sin, cos, pi
 
 mp.dps = 40
 F64 = (4, 6, 8, 12, 16, 24)
-F32 = (3, 4, 6, 10)
+F32 = (3, 4, 6, 10, 12)
 
 
 def number(x, bits):

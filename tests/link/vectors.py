@@ -24,7 +24,7 @@ LOOPS = [
     ("cap", r"pdf_(cone|projected|area|area_inside)", ()),
     ("cap", r"look_(cone|projected)", ("base",)), # SSE2 has no choice between doubles by integers
     ("cap", r"invert_(radial|parallel|concentric)_\w+", ()),
-    ("disk", r"(radial|concentric|area_\w+)_block_\w+", ()),
+    ("disk", r"(radial|concentric|parallel|area_\w+)_block_\w+", ()),
     ("disk", r"place_(whole|clipped)(_brief)?_f\d\d", ()),
     ("polygon", r"fan_block_f\d\d", ()),
     ("polygon", r"rectangle(_area)?_block_f\d\d", ()),
