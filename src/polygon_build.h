@@ -134,14 +134,9 @@ static const double rectangle_places[4][2] = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}
 /* A light as its projection wants it. */
 PSC_LANE void projection_of(const struct psc_polygon_light *l, struct psc_projection *o)
 {
-    const double volume = l->affine == 4 ? 0.5 * l->volume : l->volume;
-
     o->view = &l->view;
     o->up = l->up;
     o->normal = l->receiver;
-    o->height = l->height;
-    o->exact = l->affine == 3 ? triangle_places : l->affine == 4 ? rectangle_places : NULL;
-    o->volume = l->turns_left ? volume : -volume;
     o->turns_left = l->turns_left;
     o->offset = NULL;
     o->place = NULL;
@@ -219,7 +214,6 @@ PSC_LANE psc_result triangle_build(psc_sampler *s, const struct psc_request *req
     triangle_words(&l->view, vertices, 0, 1, 2, &words);
     at.height_b = l->height[1];
     l->triangles = 0;
-    l->affine = 3;
     fan_add(l, s->measure, &words, &at, &sums);
     vertex_offsets(vertices, 3, &places);
     return polygon_finish(s, request, &sums, -1.0, &places);
@@ -329,7 +323,6 @@ PSC_LANE psc_result polygon_build(psc_sampler *s, const struct psc_request *requ
     for (i = 2; i + 1 < count; i++)
         surface_places(spoke[1], spoke[count - 1], spoke[i], place[i], place[i] + 1);
     l->triangles = 0;
-    l->affine = count == 3 ? 3 : 0;
     for (i = 1; i + 1 < count; i++) {
         const struct psc_fan_places at = {
             vertices, l->height[0], place[i][0],     place[i][1],

@@ -19,9 +19,7 @@ struct psc_polygon_light {
     double volume;                   /* area times twice the height of the receiver above the
                                         light's plane, in units of the view */
 
-    int affine;                      /* vertices are in one plane to rounding: 3 or 4 of them are
-                                        of a triangle or parallelogram, 0: of any polygon */
-    int turns_left;                  /* they run counterclockwise seen from the receiver */
+    int turns_left;                  /* vertices run counterclockwise seen from the receiver */
 
     union {
         struct psc_sector_light projected;

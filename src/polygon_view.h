@@ -57,4 +57,39 @@ PSC_LANE void edge_of(const double from[3], const double to[3], double scale, do
     }
 }
 
+PSC_LANE void vertex_words(const struct psc_polygon_view *view, int i, struct psc_word2 *to)
+{
+    int c;
+
+    for (c = 0; c < 3; c++) {
+        to->high[c] = view->vertex[i][c];
+        to->low[c] = view->low[i][c];
+    }
+}
+
+/* The difference of two vertices of a view. */
+PSC_LANE void edge_between(const struct psc_polygon_view *view, int from, int to,
+                           struct psc_word2 *edge)
+{
+    int c;
+
+    for (c = 0; c < 3; c++) {
+        two_sum(view->vertex[to][c], -view->vertex[from][c], &edge->high[c], &edge->low[c]);
+        edge->low[c] += view->low[to][c] - view->low[from][c];
+        two_sum(edge->high[c], edge->low[c], &edge->high[c], &edge->low[c]);
+    }
+}
+
+/* The height of a vertex above the plane with normal n, which has length 1 / shrink. */
+PSC_LANE double height_of(const double n[3], double shrink, const double high[3],
+                          const double low[3])
+{
+    double sum = 0.0, error = 0.0;
+    int c;
+
+    for (c = 0; c < 3; c++)
+        add_product(n[c], high[c], &sum, &error);
+    return (sum + (error + dot(n, low))) * shrink;
+}
+
 #endif

@@ -8,9 +8,7 @@
 /* A polygon as a receiver with a normal sees it. */
 struct psc_projection {
     const struct psc_polygon_view *view;
-    const double *up, *normal, *height; /* up is the normal with length 1, rounded */
-    const double (*exact)[2]; /* place and volume of struct psc_receiver_view */
-    double volume;
+    const double *up, *normal; /* up is the normal with length 1, rounded */
     int turns_left; /* the vertices run counterclockwise seen from the receiver */
     /* Of the vertices: from the first in world space, and on the light's surface. NULL: totals are
        all that is wanted. */
@@ -37,10 +35,10 @@ static inline void ring_corners(const struct psc_projection *what, const struct 
     memset(o->corner + base, 0, (size_t)(ring->count + 1) * sizeof o->corner[0]);
     for (i = 0; i < ring->count; i++)
         for (k = 0; k < 2; k++) {
-            const int vertex = ring->point[i].vertex[k];
+            const int vertex = ring->point[i]->vertex[k];
 
             add_corner(o, base + i, what->offset[vertex], what->place[vertex],
-                       ring->point[i].share[k]);
+                       ring->point[i]->share[k]);
         }
 }
 
@@ -62,7 +60,6 @@ static inline void ring_edges(const struct psc_ring *ring, struct psc_sector_sid
 /* The sectors of one side; `base` is the number of its first corner. Returns its projected solid
    angle. */
 static inline double project_side(const struct psc_projection *what,
-                                  const struct psc_receiver_view *view,
                                   const struct psc_ring *ring, int base, struct psc_sectors *to,
                                   struct psc_sector_light *o)
 {
@@ -74,11 +71,11 @@ static inline double project_side(const struct psc_projection *what,
     if (what->offset)
         ring_corners(what, ring, base, o);
     if (find_chains(ring, outer, inner)) {
-        chain_sectors(view, ring, outer, inner, base, to);
+        chain_sectors(ring, outer, inner, base, to);
     } else {
         int corner[3], i;
         double share[3];
-        const double high = find_zenith(view, ring, corner, share);
+        const double high = find_zenith(ring, corner, share);
 
         for (i = 0; what->offset && i < 3; i++)
             add_corner(o, base + ring->count, o->corner[base + corner[i]].offset,
@@ -93,37 +90,33 @@ static inline double project_side(const struct psc_projection *what,
 static inline int project(const struct psc_projection *what, int both, struct psc_sector_light *o)
 {
     struct psc_sectors to = {o->sector, o->hit, 0, 0, 0.0};
-    struct psc_receiver_view view[2];
-    struct psc_ring ring[2];
-    int side, c, sides = 0, corners = 0, edges = 0;
+    struct psc_receiver_view view;
+    struct psc_ring ring;
+    int side, sides = 0, corners = 0, edges = 0;
 
-    ring[1].count = 0;
-    for (side = 0; side <= both; side++) {
-        see_from_receiver(what->view, what->up, what->normal, what->height, what->exact,
-                          what->volume, what->turns_left, side, view + side);
-        clip_ring(view + side, ring + side);
-    }
-    /* Without halvings there are fewer sectors than corners. */
-    to.halvings = PSC_MAX_SECTORS - (ring[0].count + ring[1].count);
+    see_from_receiver(what->view, what->up, what->normal, !what->turns_left, &view);
+    /* Without halvings there are fewer sectors than points. */
+    to.halvings = PSC_MAX_SECTORS - most_points(&view, both);
     for (side = 0; side <= both; side++) {
         struct psc_sector_side *const at = o->side + sides;
 
+        if (side == 1)
+            mirror_view(&view);
+        clip_ring(&view, &ring);
         at->sector = to.count;
         at->edge = edges;
-        at->total = project_side(what, view + side, ring + side, corners, &to, o);
+        at->total = project_side(what, &ring, corners, &to, o);
         at->sectors = to.count - at->sector;
         if (!(at->total > 0.0))
             continue;
-        for (c = 0; c < 3; c++) {
-            at->x[c] = view[side].frame[0][c];
-            at->y[c] = view[side].frame[1][c];
-            at->z[c] = view[side].frame[2][c];
-        }
+        copy3(view.frame[0], at->x);
+        copy3(view.frame[1], at->y);
+        copy3(view.frame[2], at->z);
         share_sectors(&to, at->sector);
         if (what->offset)
-            ring_edges(ring + side, at, o);
-        edges += ring[side].count;
-        corners += ring[side].count + 1;
+            ring_edges(&ring, at, o);
+        edges += ring.count;
+        corners += ring.count + 1;
         sides++;
     }
     return sides;

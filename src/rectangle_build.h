@@ -200,7 +200,6 @@ PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *re
         return result;
     s->visibility = see_horizon(request->normal, &l->view, l->receiver, l->up, l->height);
     l->triangles = 0;
-    l->affine = 4;
     for (c = 0; c < 3; c++) {
         places.offset[0][c] = 0.0;
         places.offset[1][c] = g[3 + c];

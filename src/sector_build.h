@@ -50,24 +50,25 @@ PSC_LANE void between_ends(const struct psc_sector_wide *wide, double m, double 
     }
 }
 
-/* Cuts a sector at the share l, keeps the first part and gives the second. Where the ends are
-   nearly antipodal the cut is made from the plane of U. */
-static inline void cut_sector(struct psc_sector_wide *wide, double l, struct psc_sector_wide *rest)
+/* Cuts a sector at m a + l b, m + l = 1, keeps the first part and gives the second. Where the ends
+   are nearly antipodal, the cut is across the difference of the two. */
+static inline void cut_sector(struct psc_sector_wide *wide, double m, double l,
+                              struct psc_sector_wide *rest)
 {
     const double *const a = wide->a.u, *const b = wide->b.u, *const g = wide->across;
-    double m = 1.0 - l, u[3], length;
+    double u[3], length;
     int i;
 
     for (i = 0; i < 3; i++)
         u[i] = m * a[i] + l * b[i];
     length = SQRT(dot(u, u));
-    if (length < 0.1) {
+    if (length < 0.5) {
         u[0] = b[1] - a[1];
         u[1] = a[0] - b[0];
-        u[2] = -(g[0] * u[0] + g[1] * u[1]) / g[2];
-        length = SQRT(dot(u, u));
         m = (u[0] * b[1] - u[1] * b[0]) / g[2];
         l = (a[0] * u[1] - a[1] * u[0]) / g[2];
+        u[2] = m * a[2] + l * b[2];
+        length = SQRT(dot(u, u));
     }
     length = 1.0 / length;
     m *= length;
@@ -82,14 +83,25 @@ static inline void cut_sector(struct psc_sector_wide *wide, double l, struct psc
     wide->b = rest->a;
 }
 
-/* Whether U and W stay within reach of the nodes; if not, the share of l to cut at. */
-static inline int fits_sector(const struct psc_sector *s, const double length_w[2], double *cut)
+/* |W|, not cancelled. */
+PSC_LANE double length_of_w(const struct psc_sector_end *end)
 {
-    struct psc_sector_place p;
+    return SQRT(1.0 + end->d * (2.0 * end->u[2] + end->d));
+}
+
+/* Whether U and W stay within reach of the nodes; if not, the shares of a and b to cut at. */
+static inline int fits_sector(const struct psc_sector_wide *wide, const struct psc_sector *s,
+                              double cut[2])
+{
+    const double widest = MAX(s->sine, s->sine_w);
     int i, fits_u = 1, fits_w = 1;
 
+    /* U.U' is at least 1 - versine / 2, and W.W' larger. */
+    if (0.25 * widest <= PSC_SECTOR_REACH * (1.0 - 0.5 * s->versine))
+        return 1;
     for (i = 0; i < 4; i++) {
         const double h = i & 1 ? 0.25 : -0.25;
+        struct psc_sector_place p;
         double x, y;
 
         sector_place(s, i & 2 ? 0.75 : 0.25, &p);
@@ -98,13 +110,19 @@ static inline int fits_sector(const struct psc_sector *s, const double length_w[
         fits_u &= 0.25 * s->sine <= PSC_SECTOR_REACH * x;
         fits_w &= 0.25 * s->sine_w <= PSC_SECTOR_REACH * y;
     }
-    *cut = fits_u ? length_w[0] / (length_w[0] + length_w[1]) : 0.5;
+    if (fits_u) {
+        const double a = length_of_w(&wide->a), b = length_of_w(&wide->b);
+
+        cut[0] = b / (a + b);
+        cut[1] = a / (a + b);
+    } else {
+        cut[0] = cut[1] = 0.5;
+    }
     return fits_u & fits_w;
 }
 
 /* All but the shares up to the nodes; k is not yet a share. */
-static inline void sector_constants(const struct psc_sector_wide *wide, struct psc_sector *s,
-                                    double length_w[2])
+static inline void sector_constants(const struct psc_sector_wide *wide, struct psc_sector *s)
 {
     const struct psc_sector_end *const a = &wide->a, *const b = &wide->b;
     const double gx = wide->across[0], gy = wide->across[1];
@@ -125,8 +143,6 @@ static inline void sector_constants(const struct psc_sector_wide *wide, struct p
     s->sine_w = length_of(gx + dx, gy + dy, s->k);
     s->sine_more = (dx * (2.0 * gx + dx) + dy * (2.0 * gy + dy)) / (s->sine_w + s->sine);
     s->versine = cosine > 0.0 ? s->sine * s->sine / (1.0 + cosine) : 1.0 - cosine;
-    length_w[0] = SQRT(1.0 + a->d * (2.0 * a->u[2] + a->d));
-    length_w[1] = SQRT(1.0 + b->d * (2.0 * b->u[2] + b->d));
 }
 
 /* What is left of the fields when the constants are there, as masses. */
@@ -147,6 +163,10 @@ static inline void sector_masses(struct psc_sector *s, double *sum)
     sector_place(s, 0.75, &p);
     s->last = s->middle - sector_mass(s, &p, -0.25);
     s->end = *sum = s->last + sector_mass(s, &p, 0.25);
+    /* Where W rises steeply the density does so next to the end alone: a cubic with that bend and
+       the mass to the middle would fall again before. */
+    s->bend_a = MIN(s->bend_a, 12.0 * (s->middle - s->start) - 4.0 * s->rise_a);
+    s->bend_b = MIN(s->bend_b, 12.0 * (s->end - s->middle) - 4.0 * s->rise_b);
 }
 
 static inline void sector_hit(const struct psc_sector_wide *wide, const int corner[4],
@@ -175,13 +195,13 @@ static inline void add_sector(struct psc_sectors *to, const struct psc_sector_wi
     while (pending > 0) {
         struct psc_sector_wide *const top = stack + pending - 1;
         struct psc_sector *const s = to->sector + to->count;
-        double length_w[2], cut;
+        double cut[2];
 
-        sector_constants(top, s, length_w);
-        if (!fits_sector(s, length_w, &cut) && to->halvings > 0) {
+        sector_constants(top, s);
+        if (!fits_sector(top, s, cut) && to->halvings > 0) {
             struct psc_sector_wide rest;
 
-            cut_sector(top, cut, &rest);
+            cut_sector(top, cut[0], cut[1], &rest);
             top[1] = *top;
             top[0] = rest;
             pending++;

@@ -13,218 +13,140 @@
 /* How much higher than U the zenith counts as: 1 / W^2 is less than rounding. */
 #define PSC_ZENITH_RISE 0x1p60
 
-/* What is left of an edge of a chain, in the order of azimuths: from p to q, across = p x q. p is
-   share[0] of the light's point at the edge's beginning and share[1] of that at its end, q is
-   share_q of the latter. */
+/* An edge of a chain in the order of azimuths: from p to q, points number `from` and `to` of the
+   ring; across = p x q. */
 struct psc_chain_edge {
-    struct psc_ring_point p, q;
-    double across[3], share[2], share_q;
-    int from, to; /* points of the ring */
+    const struct psc_ring_point *p, *q;
+    double across[3];
+    int from, to;
 };
-
-/* (p, q, r), the triple product: in proportion to the area between their coordinates on the light's
-   surface; without these, the smaller error of two. */
-static inline double triple(const struct psc_receiver_view *view, const struct psc_ring_point *p,
-                            const struct psc_ring_point *q, const double across[3],
-                            const struct psc_ring_point *r)
-{
-    double e1[3], e2[3], normal[3];
-
-    if (view->place && !(p->own | q->own | r->own)) {
-        ring_place_step(view, p, q, e1);
-        ring_place_step(view, p, r, e2);
-        return view->volume * product_difference(e1[0], e2[1], e1[1], e2[0]);
-    }
-    ring_step(view, p, q, e1);
-    ring_step(view, p, r, e2);
-    cross(e1, e2, normal);
-    return dot(p->p, p->p) * (dot(e1, e1) * dot(e2, e2)) < dot(across, across) * dot(r->p, r->p)
-               ? dot(p->p, normal)
-               : dot(across, r->p);
-}
 
 static inline void take_edge(const struct psc_ring *ring, int from, int to, const double edge[3],
                              double sign, struct psc_chain_edge *o)
 {
-    int c;
-
     o->p = ring->point[from];
     o->q = ring->point[to];
-    for (c = 0; c < 3; c++)
-        o->across[c] = edge[c] * sign;
-    o->share[0] = o->p.scale;
-    o->share[1] = 0.0;
-    o->share_q = o->q.scale;
+    scale3(sign, edge, o->across);
     o->from = from;
     o->to = to;
 }
 
-/* A point a p + b q of an edge, and its shares; W there is `rise` higher than U, and is `multiple`
-   of the point that the cut was asked for by, or over. */
-struct psc_chain_cut {
-    struct psc_ring_point at;
-    double a, b, share[2], rise, multiple;
+/* The ends of a sector and what lies between: u and d as in psc_sector_end are still lengths of
+   the light's points. U is weight outer[0] of the outer edge's p and outer[1] of its q. */
+struct psc_chain_end {
+    double u[3], rise, outer[2], inner[2];
+    int of_inner; /* it is at the azimuth of a point of the inner chain */
+    double per;   /* then: its x and y times z of the outer edge's p x q times this are U's */
 };
 
-static inline void point_on(const struct psc_receiver_view *view, const struct psc_chain_edge *e,
-                            struct psc_chain_cut *cut)
+/* U over the inner chain's point j: between the ends of the outer edge, on the azimuth of j.
+   to_q and from_p are z of j x q and of p x j. Whether the edge has any width. x and y are those of
+   j, since the ends may be nearly antipodal; heights add up. */
+static inline int end_at_inner(const struct psc_chain_edge *o, const struct psc_ring_point *j,
+                               double to_q, double from_p, struct psc_chain_end *end)
 {
-    const struct psc_ring_point *const near = cut->a < cut->b ? &e->q : &e->p;
-    const double share = cut->a < cut->b ? -cut->a : cut->b;
-    double step[3], place[2] = {0.0, 0.0};
-    int c;
+    const double near = MAX(to_q, 0.0), far = MAX(from_p, 0.0), k = o->across[2];
+    const double per = 1.0 / (near + far);
 
-    ring_step(view, &e->p, &e->q, step);
-    if (view->place)
-        ring_place_step(view, &e->p, &e->q, place);
-    for (c = 0; c < 3; c++) {
-        cut->at.p[c] = cut->a * e->p.p[c] + cut->b * e->q.p[c];
-        cut->at.offset[c] = near->offset[c] + share * step[c];
-    }
-    for (c = 0; c < 2; c++)
-        cut->at.place[c] = near->place[c] + share * place[c];
-    cut->at.at = near->at;
-    cut->at.own = e->p.own | e->q.own;
-    cut->share[0] = cut->a * e->share[0];
-    cut->share[1] = cut->a * e->share[1] + cut->b * e->share_q;
-}
-
-/* Cuts an outer edge where the inner chain's vertex j is above it; whether it has any width. */
-static inline int cut_outer(const struct psc_receiver_view *view,
-                            const struct psc_chain_edge *o, const struct psc_ring_point *j,
-                            struct psc_chain_cut *cut)
-{
-    const double to_q = cross2(view, j, &o->q), from_p = cross2(view, &o->p, j), k = o->across[2];
-    const double near = MAX(to_q, 0.0), far = MAX(from_p, 0.0), sum = near + far;
-
-    if (!(k > 0.0 && sum > 0.0))
+    if (!(k > 0.0 && near + far > 0.0))
         return 0;
-    cut->a = near / sum;
-    cut->b = far / sum;
-    point_on(view, o, cut);
-    if (dot(cut->at.p, cut->at.p) >= 0.01 * (cut->a * cut->a) * dot(o->p.p, o->p.p)) {
-        cut->rise = triple(view, &o->p, &o->q, o->across, j) / sum;
-        cut->multiple = k / sum;
-    } else {
-        /* The ends are nearly antipodal: from their plane. */
-        cut->a = near / k;
-        cut->b = far / k;
-        point_on(view, o, cut);
-        cut->at.own = 1;
-        cut->at.p[0] = j->p[0];
-        cut->at.p[1] = j->p[1];
-        cut->at.p[2] = -(o->across[0] * j->p[0] + o->across[1] * j->p[1]) / k;
-        cut->rise = j->p[2] - cut->at.p[2];
-        cut->multiple = 1.0;
-    }
+    end->outer[0] = near * per;
+    end->outer[1] = far * per;
+    end->inner[0] = 0.0;
+    end->inner[1] = k * per;
+    end->u[0] = j->p.high[0] * end->inner[1];
+    end->u[1] = j->p.high[1] * end->inner[1];
+    end->u[2] = end->outer[0] * o->p->p.high[2] + end->outer[1] * o->q->p.high[2];
+    end->rise = ring_volume(o->p, o->q, j) * per;
+    end->of_inner = 1;
+    end->per = per;
     return 1;
 }
 
-/* Cuts an inner edge where it is above the outer chain's vertex q. */
-static inline int cut_inner(const struct psc_receiver_view *view,
-                            const struct psc_chain_edge *e, const struct psc_ring_point *q,
-                            struct psc_chain_cut *cut)
+/* W over the outer edge's end q: between the ends i and j of the inner edge, of which to_j and
+   from_i are z of q x j and of i x q. */
+static inline int end_at_outer(const struct psc_chain_edge *o, const struct psc_chain_edge *e,
+                               double to_j, double from_i, struct psc_chain_end *end)
 {
-    const double to_q = cross2(view, q, &e->q), from_p = cross2(view, &e->p, q), k = e->across[2];
-    const double near = MAX(to_q, 0.0), far = MAX(from_p, 0.0), sum = near + far;
+    const double near = MAX(to_j, 0.0), far = MAX(from_i, 0.0), k = e->across[2];
 
-    if (!(k > 0.0 && sum > 0.0))
+    if (!(k > 0.0 && near + far > 0.0))
         return 0;
-    cut->a = near / sum;
-    cut->b = far / sum;
-    point_on(view, e, cut);
-    cut->rise = -triple(view, &e->p, &e->q, e->across, q) / k;
-    cut->multiple = sum / k;
+    copy3(o->q->p.high, end->u);
+    end->outer[0] = 0.0;
+    end->outer[1] = 1.0;
+    end->inner[0] = near / k;
+    end->inner[1] = far / k;
+    end->rise = -ring_volume(e->p, e->q, o->q) / k;
+    end->of_inner = 0;
     return 1;
 }
 
-/* Leaves of an edge what is beyond a cut. */
-static inline void shorten(struct psc_chain_edge *e, const struct psc_chain_cut *cut)
+/* U at one end of radial edges, W at the other, j; weights for the q of both chains. */
+static inline void end_at_both(const struct psc_ring_point *u, const struct psc_ring_point *j,
+                               struct psc_chain_end *end)
 {
-    int c;
+    const double *const at = u->p.high, *const other = j->p.high;
+    const double length = SQRT(at[0] * at[0] + at[1] * at[1]);
+    const double reach = SQRT(other[0] * other[0] + other[1] * other[1]);
+    double across[3];
 
-    e->p = cut->at;
-    e->share[0] = cut->share[0];
-    e->share[1] = cut->share[1];
-    for (c = 0; c < 3; c++)
-        e->across[c] *= cut->a;
+    copy3(at, end->u);
+    end->outer[0] = end->inner[0] = 0.0;
+    end->outer[1] = end->inner[1] = 1.0;
+    end->of_inner = 0;
+    end->rise = 0.0;
+    if (u == j)
+        return;
+    /* What j is higher at the distance of u from the zenith's axis. */
+    ring_cross(u, j, across);
+    end->rise = SQRT(dot(across, across)) / reach;
+    end->inner[1] = length / reach;
+    if (end->rise <= PSC_ZENITH_RISE * length)
+        return;
+    end->rise = PSC_ZENITH_RISE * length;
+    end->inner[1] = end->rise / other[2];
 }
 
-/* Shares of an edge at its end, as shares of the next edge at its beginning. */
-static inline void begin_edge(double share[2])
+/* z of U_a x U_b of the outer edge: as a share of that of its ends. */
+static inline double share_between(const struct psc_chain_edge *o, const struct psc_chain_edge *e,
+                                   const struct psc_chain_end *a, const struct psc_chain_end *b)
 {
-    share[0] += share[1];
-    share[1] = 0.0;
+    const double whole = o->across[2], inner = e->across[2];
+
+    if (a->of_inner && b->of_inner)
+        return (inner * a->per) * (whole * b->per);
+    return a->of_inner ? a->outer[0] : b->of_inner ? b->outer[1] : 1.0;
 }
 
-/* What the far end j of radial edges is higher than u, on the same azimuth and at the same
-   distance from the zenith's axis; *share: W as a multiple of j. */
-static inline double radial_rise(const struct psc_receiver_view *view,
-                                 const struct psc_ring_point *u, const struct psc_ring_point *j,
-                                 double *share)
+/* The sector between two ends; across = share times that of the outer edge. */
+static inline void emit_sector(struct psc_sectors *to, const struct psc_chain_end *first,
+                               const struct psc_chain_end *second, const double across[3],
+                               double share, const int corner[4])
 {
-    const double length = SQRT(u->p[0] * u->p[0] + u->p[1] * u->p[1]);
-    const double other = SQRT(j->p[0] * j->p[0] + j->p[1] * j->p[1]);
-    double e[3], across[3], rise;
-
-    ring_step(view, u, j, e);
-    cross(u->p, e, across);
-    rise = SQRT(dot(across, across)) / other;
-    *share = length / other;
-    if (rise <= PSC_ZENITH_RISE * length)
-        return rise;
-    *share = PSC_ZENITH_RISE * length / j->p[2];
-    return PSC_ZENITH_RISE * length;
-}
-
-/* The end of a sector at u: shares of the outer edge, rise of W and its shares. */
-static inline void set_end(const double u[3], const double outer[2], double rise,
-                           const double inner[2], struct psc_sector_end *end)
-{
-    const double inverse = 1.0 / SQRT(dot(u, u));
-    int c;
-
-    for (c = 0; c < 3; c++)
-        end->u[c] = u[c] * inverse;
-    for (c = 0; c < 2; c++) {
-        end->outer[c] = outer[c] * inverse;
-        end->inner[c] = inner[c] * inverse;
-    }
-    end->d = MAX(rise, 0.0) * inverse;
-}
-
-/* The sector between two ends, made from the points a and b of the outer edge; across = a x b. */
-static inline void emit_sector(struct psc_sectors *to, const struct psc_sector_end *first,
-                               const struct psc_sector_end *second, const double a[3],
-                               const double b[3], const double across[3], double share,
-                               const int corner[4])
-{
-    const double inverse = share / (SQRT(dot(a, a)) * SQRT(dot(b, b)));
+    const double per_a = 1.0 / SQRT(dot(first->u, first->u));
+    const double per_b = 1.0 / SQRT(dot(second->u, second->u));
     struct psc_sector_wide wide;
     int c;
 
-    wide.a = *first;
-    wide.b = *second;
-    for (c = 0; c < 3; c++)
-        wide.across[c] = across[c] * inverse;
+    scale3(per_a, first->u, wide.a.u);
+    scale3(per_b, second->u, wide.b.u);
+    wide.a.d = MAX(first->rise, 0.0) * per_a;
+    wide.b.d = MAX(second->rise, 0.0) * per_b;
+    for (c = 0; c < 2; c++) {
+        wide.a.outer[c] = first->outer[c] * per_a;
+        wide.a.inner[c] = first->inner[c] * per_a;
+        wide.b.outer[c] = second->outer[c] * per_b;
+        wide.b.inner[c] = second->inner[c] * per_b;
+    }
+    scale3(share * (per_a * per_b), across, wide.across);
     if (wide.across[2] > 0.0)
         add_sector(to, &wide, corner);
 }
 
-PSC_LANE int ring_next(const struct psc_ring *ring, int i)
-{
-    return i + 1 < ring->count ? i + 1 : 0;
-}
-
-PSC_LANE int ring_last(const struct psc_ring *ring, int i)
-{
-    return i > 0 ? i - 1 : ring->count - 1;
-}
-
 /* The light's point at the zenith, from the triangle of the ring's fan that holds it: shares of its
    corners; returns how high it is. */
-static inline double find_zenith(const struct psc_receiver_view *view,
-                                 const struct psc_ring *ring, int corner[3], double share[3])
+static inline double find_zenith(const struct psc_ring *ring, int corner[3], double share[3])
 {
     double best = -DBL_MAX, sum = 0.0, height = 0.0;
     int i, c;
@@ -232,8 +154,8 @@ static inline double find_zenith(const struct psc_receiver_view *view,
     corner[0] = 0;
     corner[1] = 1;
     for (i = 1; i + 1 < ring->count; i++) {
-        const double across = cross2(view, ring->point + i + 1, ring->point);
-        const double before = cross2(view, ring->point, ring->point + i);
+        const double across = cross2(ring->point[i + 1], ring->point[0]);
+        const double before = cross2(ring->point[0], ring->point[i]);
         const double least = MIN(across, before);
 
         corner[1] = least > best ? i : corner[1];
@@ -241,12 +163,11 @@ static inline double find_zenith(const struct psc_receiver_view *view,
     }
     corner[2] = corner[1] + 1;
     for (c = 0; c < 3; c++) {
-        const double opposite = cross2(view, ring->point + corner[(c + 1) % 3],
-                                       ring->point + corner[(c + 2) % 3]);
+        const double opposite = cross2(ring->point[corner[(c + 1) % 3]],
+                                       ring->point[corner[(c + 2) % 3]]);
 
         share[c] = MAX(opposite, 0.0);
-        height += share[c] * ring->point[corner[c]].p[2];
-        share[c] *= ring->point[corner[c]].scale;
+        height += share[c] * ring->point[corner[c]]->p.high[2];
         sum += share[c];
     }
     for (c = 0; c < 3; c++)
@@ -254,25 +175,42 @@ static inline double find_zenith(const struct psc_receiver_view *view,
     return height / sum;
 }
 
+/* The end of a sector below the zenith, which is at the height high. */
+static inline void end_at_zenith(const struct psc_ring_point *p, double high,
+                                 struct psc_chain_end *end)
+{
+    copy3(p->p.high, end->u);
+    end->rise = PSC_ZENITH_RISE * SQRT(dot(end->u, end->u));
+    end->outer[0] = 0.0;
+    end->outer[1] = 1.0;
+    end->inner[0] = 0.0;
+    end->inner[1] = end->rise / high;
+}
+
+/* Of a number for the q of an edge, the same for the p of the next. */
+static inline void begin_edge(double weight[2])
+{
+    weight[0] += weight[1];
+    weight[1] = 0.0;
+}
+
 /* Sectors of a light that holds the zenith; that is corner number `zenith`, at the height high. */
 static inline void zenith_sectors(const struct psc_ring *ring, int base, int zenith, double high,
                                   struct psc_sectors *to)
 {
+    struct psc_chain_end first, second;
     int i;
 
+    end_at_zenith(ring->point[0], high, &first);
     for (i = 0; i < ring->count; i++) {
         const int next = ring_next(ring, i);
-        const struct psc_ring_point *const p = ring->point + i, *const q = ring->point + next;
         const int corner[4] = {base + i, base + next, zenith, zenith};
-        const double first[2] = {p->scale, 0.0}, second[2] = {0.0, q->scale};
-        const double rise_p = PSC_ZENITH_RISE * SQRT(dot(p->p, p->p));
-        const double rise_q = PSC_ZENITH_RISE * SQRT(dot(q->p, q->p));
-        const double inner_p[2] = {rise_p / high, 0.0}, inner_q[2] = {rise_q / high, 0.0};
-        struct psc_sector_end a, b;
 
-        set_end(p->p, first, rise_p, inner_p, &a);
-        set_end(q->p, second, rise_q, inner_q, &b);
-        emit_sector(to, &a, &b, p->p, q->p, ring->edge[i], 1.0, corner);
+        begin_edge(first.outer);
+        begin_edge(first.inner);
+        end_at_zenith(ring->point[next], high, &second);
+        emit_sector(to, &first, &second, ring->edge[i], 1.0, corner);
+        first = second;
     }
 }
 
@@ -306,72 +244,48 @@ static inline int find_chains(const struct psc_ring *ring, int outer[2], int inn
 
 /* Sectors of a light that the zenith is outside of: between the ends of edges of either chain, in
    the order of azimuths. `base` is the corner number of the ring's first point. */
-static inline void chain_sectors(const struct psc_receiver_view *view,
-                                 const struct psc_ring *ring, const int chain_o[2],
+static inline void chain_sectors(const struct psc_ring *ring, const int chain_o[2],
                                  const int chain_i[2], int base, struct psc_sectors *to)
 {
     struct psc_chain_edge o, e; /* of the outer and the inner chain */
-    struct psc_sector_end first, second;
+    struct psc_chain_end first, second;
     int at_o = chain_o[0], at_i = chain_i[1];
-    double share[2], rise, multiple = 1.0;
 
     take_edge(ring, at_o, ring_next(ring, at_o), ring->edge[at_o], 1.0, &o);
     take_edge(ring, ring_next(ring, at_i), at_i, ring->edge[at_i], -1.0, &e);
-    rise = o.from == e.from ? 0.0 : radial_rise(view, &o.p, &e.p, &multiple);
-    share[0] = e.share[0] * multiple;
-    share[1] = 0.0;
-    set_end(o.p.p, o.share, rise, share, &first);
+    end_at_both(o.p, e.p, &first);
+    begin_edge(first.outer);
+    begin_edge(first.inner);
     for (;;) {
         const int corner[4] = {base + o.from, base + o.to, base + e.from, base + e.to};
         const int last_o = at_o == chain_o[1], last_i = at_i == chain_i[0];
-        const double turn = cross2(view, &o.q, &e.q);
+        const double turn = cross2(o.q, e.q);
         const int outer_first = !last_o && (last_i || turn > 0.0);
         const int inner_first = !last_i && (last_o || turn < 0.0);
-        const double end_o[2] = {0.0, o.share_q};
-        double inner[2];
+        int wide = 1;
 
-        if (outer_first) {
-            struct psc_chain_cut cut;
-
-            if (cut_inner(view, &e, &o.q, &cut)) {
-                inner[0] = cut.share[0] * cut.multiple;
-                inner[1] = cut.share[1] * cut.multiple;
-                set_end(o.q.p, end_o, cut.rise, inner, &second);
-                emit_sector(to, &first, &second, o.p.p, o.q.p, o.across, 1.0, corner);
-                shorten(&e, &cut);
-                first = second;
-            }
-            at_o = ring_next(ring, at_o);
-            take_edge(ring, at_o, ring_next(ring, at_o), ring->edge[at_o], 1.0, &o);
-            begin_edge(first.outer);
-        } else if (inner_first) {
-            struct psc_chain_cut cut;
-
-            if (cut_outer(view, &o, &e.q, &cut)) {
-                inner[0] = 0.0;
-                inner[1] = e.share_q * cut.multiple;
-                set_end(cut.at.p, cut.share, cut.rise, inner, &second);
-                emit_sector(to, &first, &second, o.p.p, cut.at.p, o.across, cut.b, corner);
-                shorten(&o, &cut);
-                first = second;
-            }
-            at_i = ring_last(ring, at_i);
-            take_edge(ring, ring_next(ring, at_i), at_i, ring->edge[at_i], -1.0, &e);
-            begin_edge(first.inner);
-        } else {
-            rise = o.to == e.to ? 0.0 : radial_rise(view, &o.q, &e.q, &multiple);
-            inner[0] = 0.0;
-            inner[1] = e.share_q * (o.to == e.to ? 1.0 : multiple);
-            set_end(o.q.p, end_o, rise, inner, &second);
-            emit_sector(to, &first, &second, o.p.p, o.q.p, o.across, 1.0, corner);
-            if (last_o && last_i)
-                return;
-            at_o = ring_next(ring, at_o);
-            at_i = ring_last(ring, at_i);
-            take_edge(ring, at_o, ring_next(ring, at_o), ring->edge[at_o], 1.0, &o);
-            take_edge(ring, ring_next(ring, at_i), at_i, ring->edge[at_i], -1.0, &e);
+        if (outer_first)
+            wide = end_at_outer(&o, &e, turn, cross2(e.p, o.q), &second);
+        else if (inner_first)
+            wide = end_at_inner(&o, e.q, -turn, cross2(o.p, e.q), &second);
+        else
+            end_at_both(o.q, e.q, &second);
+        if (wide) {
+            emit_sector(to, &first, &second, o.across, share_between(&o, &e, &first, &second),
+                        corner);
             first = second;
+        }
+        if (!outer_first && !inner_first && last_o && last_i)
+            return;
+        if (!inner_first) {
+            at_o = ring_next(ring, at_o);
+            take_edge(ring, at_o, ring_next(ring, at_o), ring->edge[at_o], 1.0, &o);
             begin_edge(first.outer);
+            first.of_inner = 0;
+        }
+        if (!outer_first) {
+            at_i = ring_last(ring, at_i);
+            take_edge(ring, ring_next(ring, at_i), at_i, ring->edge[at_i], -1.0, &e);
             begin_edge(first.inner);
         }
     }
