@@ -127,7 +127,7 @@ PSC_LANE void rectangle_see(const struct psc_rectangle_words *o, struct psc_rect
 {
     double along = 0.0, along_low = 0.0, across = 0.0, across_low = 0.0;
     double x1, cosine, more, e0, e1, below, above, plain;
-    int c;
+    int c, shown;
 
     see_volume(&o->corner, &o->u, &o->v, seen);
     f->width = SQRT(dot(o->u.high, o->u.high));
@@ -181,7 +181,8 @@ PSC_LANE void rectangle_see(const struct psc_rectangle_words *o, struct psc_rect
                            f->most[0] * f->sine);
     }
     /* In the plane, or without a size, where the quotients are no numbers. */
-    f->half = (seen->volume != 0.0) & (f->half > 0.0) & (f->half <= PSC_PI) ? f->half : 0.0;
+    shown = (seen->volume != 0.0) & (f->half > 0.0) & (f->half <= PSC_PI);
+    f->half = shown ? f->half : 0.0;
 }
 
 PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *request,

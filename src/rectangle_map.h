@@ -78,7 +78,7 @@ PSC_LANE void rectangle_map(const struct psc_rectangle *f, double u, double v,
     const double w = u * f->half - f->half_below;
     const double side = COPYSIGN(1.0, w), angle = ABS(w);
     const double rest = (PSC_PI - angle) + 1.2246467991473532e-16;
-    const int obtuse = rest < angle;
+    const int obtuse = rest < angle, around = (f->y0 < 0.0) & (f->y1 > 0.0);
     const double most = w < 0.0 ? f->most[1] : f->most[0];
     double sine_defect, cosine_defect, sine, cosine, down, dg, g, dr, t, dx, first;
     double d2, d, r0, r1, m0, m1, n0, n1, mv, nv, cv, c0, de, between, dy;
@@ -111,10 +111,10 @@ PSC_LANE void rectangle_map(const struct psc_rectangle *f, double u, double v,
     c0 = d / r0;
     de = v * elevation_step(d2, f->y0, r0, f->y1, r1, f->height);
     dy = 2.0 * r0 * de * (c0 + cv) / (((c0 + cv) * (c0 + cv) + de * de) * cv);
-    dy = (f->y0 < 0.0) & (f->y1 > 0.0) ? between - f->y0 : dy;
+    dy = around ? between - f->y0 : dy;
     p->v = MIN(MAX(dy / f->height, 0.0), 1.0);
     p->y = f->y0 + p->v * f->height;
-    p->y = (f->y0 < 0.0) & (f->y1 > 0.0) ? MIN(MAX(between, f->y0), f->y1) : p->y;
+    p->y = around ? MIN(MAX(between, f->y0), f->y1) : p->y;
 }
 
 /* The fractions of the solid angle at fractions p->u and p->v of the edges. */

@@ -87,15 +87,31 @@ static const struct bar {
 #define ARVO_CALLS {"solid angle, radial", "calls"}
 #define PROJECTED {"projected solid angle, radial", NULL}
 #define PROJECTED_CALLS {"projected solid angle, radial", "calls"}
+#define RECTANGLES (1u << CASE_RECTANGLE | 1u << CASE_RECTANGLE_SMALL | 1u << CASE_RECTANGLE_WIDE)
+#define POLYGONS (1u << CASE_POLYGON | 1u << CASE_POLYGON_SMALL | 1u << CASE_POLYGON_WIDE)
+#define PROJECTED_RECTANGLES (RECTANGLES | 1u << CASE_RECTANGLE_CUT)
+#define PROJECTED_POLYGONS (POLYGONS | 1u << CASE_POLYGON_CUT)
+#define UFK {"solid angle, parallel", NULL}
+#define UFK_CALLS {"solid angle, parallel", "calls"}
     {"triangle faster than the paper", IN(ONE), {"Arvo", "paper"}, ARVO_CALLS, TRIANGLES, 96,
      1.0, 1},
     {"triangle batch at most 0.2 calls", IN(MANY), ARVO, ARVO_CALLS, TRIANGLES, 32, 0.2, 0},
     {"triangle at most 0.15 builds and samples", REGIME_WAVEFRONT, REGIME_ONE, ARVO, ARVO_CALLS,
      TRIANGLES, 32, 0.15, 0},
     {"projected at most 6 solid angles", IN(MANY), PROJECTED_CALLS, ARVO_CALLS,
-     PROJECTED_TRIANGLES, 64, 6.0, 0},
+     PROJECTED_TRIANGLES | PROJECTED_RECTANGLES | PROJECTED_POLYGONS, 64, 6.0, 0},
     {"projected batch at most 0.5 calls", IN(MANY), PROJECTED, PROJECTED_CALLS,
-     PROJECTED_TRIANGLES, 96, 0.5, 0},
+     PROJECTED_TRIANGLES | PROJECTED_RECTANGLES | PROJECTED_POLYGONS, 96, 0.5, 0},
+    {"rectangle faster than the paper", IN(ONE), {"UFK", "paper"}, UFK_CALLS, RECTANGLES, 96, 1.0,
+     1},
+    {"rectangle batch at most 0.3 calls", IN(MANY), UFK, UFK_CALLS, RECTANGLES, 32, 0.3, 0},
+    {"rectangle at most 0.3 builds and samples", REGIME_WAVEFRONT, REGIME_ONE, UFK, UFK_CALLS,
+     RECTANGLES, 32, 0.3, 0},
+    {"polygon faster than the paper", IN(ONE), {"Arvo", "paper"}, ARVO_CALLS, POLYGONS, 96, 1.0,
+     1},
+    {"polygon batch at most 0.3 calls", IN(MANY), ARVO, ARVO_CALLS, POLYGONS, 32, 0.3, 0},
+    {"polygon at most 0.3 builds and samples", REGIME_WAVEFRONT, REGIME_ONE, ARVO, ARVO_CALLS,
+     POLYGONS, 32, 0.3, 0},
 };
 
 /* Whether the paper's method came close to the tolerance that it was given. */

@@ -91,8 +91,11 @@ static void add_rivals(enum regime regime)
         {FAMILY_DISK, "radial", "table 256", run_disk_table_256_f64, NULL},
         {FAMILY_DISK, "radial", "table 1024", run_disk_table_1024_f64, NULL},
         {FAMILY_TRIANGLE, "Arvo", "paper", run_triangle_arvo_f64, run_triangle_arvo_f32},
+        {FAMILY_TRIANGLE, "area", "plain", run_triangle_area_f64, run_triangle_area_f32},
         {FAMILY_RECTANGLE, "UFK", "paper", run_rectangle_ufk_f64, run_rectangle_ufk_f32},
+        {FAMILY_RECTANGLE, "area", "plain", run_rectangle_area_f64, run_rectangle_area_f32},
         {FAMILY_POLYGON, "Arvo", "paper", run_pentagon_arvo_f64, run_pentagon_arvo_f32},
+        {FAMILY_POLYGON, "area", "plain", run_pentagon_area_f64, run_pentagon_area_f32},
     };
     size_t i;
 

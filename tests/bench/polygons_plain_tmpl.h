@@ -3,6 +3,7 @@
  * Triangles, fans of them and rectangles as the papers print them and renderers write them, with
  * the angles of libm. Template: see real.h; after vectors_tmpl.h.
  *
+ * Area: G. Turk: Generating random points in triangles. Graphics Gems, 1990.
  * Triangles: J. Arvo: Stratified sampling of spherical triangles. SIGGRAPH 1995.
  * Rectangles: C. Ureña, M. Fajardo, A. King: An area-preserving parametrization for spherical
  * rectangles. EGSR 2013.
@@ -198,4 +199,115 @@ static inline void FN(rectangle_sample)(const struct FN(rectangle) *r, real u, r
     FN(to_world)(r->x, r->y, r->z, x, y, r->z0, direction);
     FN(normalize)(direction);
     *pdf = R(1) / r->area;
+}
+
+/* ---- Area ---- */
+
+/* A corner as the receiver sees it, and the edges from there: two, or as many as a fan has. */
+struct FN(face) {
+    real corner[3], edge[4][3], normal[3], below[3], area;
+};
+
+/* The direction to a point of the light, and area as it is seen from there. */
+static inline void FN(face_sample)(const struct FN(face) *f, const real first[3],
+                                   const real second[3], real s, real t, real direction[3],
+                                   real *pdf)
+{
+    real square, length, cosine;
+    int i;
+
+    for (i = 0; i < 3; i++)
+        direction[i] = f->corner[i] + (s * first[i] + t * second[i]);
+    square = FN(dot)(direction, direction);
+    length = sqrt(square);
+    for (i = 0; i < 3; i++)
+        direction[i] /= length;
+    cosine = fabs(FN(dot)(direction, f->normal));
+    *pdf = square / (cosine * f->area);
+}
+
+static inline void FN(face_triangle)(const struct FN(face) *f, int k, real u, real v,
+                                     real direction[3], real *pdf)
+{
+    const real root = sqrt(v);
+
+    FN(face_sample)(f, f->edge[k], f->edge[k + 1], root * (R(1) - u), root * u, direction, pdf);
+}
+
+/* A fan about the first of some vertices. */
+static inline int FN(face_fan)(struct FN(face) *f, int vertices, const real position[3],
+                               const real *light)
+{
+    real across[3];
+    int i, c;
+
+    for (c = 0; c < 3; c++) {
+        f->corner[c] = light[c] - position[c];
+        f->normal[c] = R(0);
+        for (i = 1; i < vertices; i++)
+            f->edge[i - 1][c] = light[3 * i + c] - light[c];
+    }
+    f->area = R(0);
+    for (i = 0; i + 2 < vertices; i++) {
+        FN(cross)(f->edge[i], f->edge[i + 1], across);
+        f->below[i] = f->area;
+        f->area += R(0.5) * sqrt(FN(dot)(across, across));
+        for (c = 0; c < 3; c++)
+            f->normal[c] += across[c];
+    }
+    FN(normalize)(f->normal);
+    return 1;
+}
+
+static inline int FN(triangle_area_build)(struct FN(face) *f, const real position[3],
+                                          const real normal[3], const real *light)
+{
+    (void)normal;
+    return FN(face_fan)(f, 3, position, light);
+}
+
+static inline void FN(triangle_area_sample)(const struct FN(face) *f, real u, real v,
+                                            real direction[3], real *pdf)
+{
+    FN(face_triangle)(f, 0, u, v, direction, pdf);
+}
+
+static inline int FN(pentagon_area_build)(struct FN(face) *f, const real position[3],
+                                          const real normal[3], const real *light)
+{
+    (void)normal;
+    return FN(face_fan)(f, 5, position, light);
+}
+
+static inline void FN(pentagon_area_sample)(const struct FN(face) *f, real u, real v,
+                                            real direction[3], real *pdf)
+{
+    const real at = u * f->area;
+    const int k = (at >= f->below[1]) + (at >= f->below[2]);
+    const real above = k < 2 ? f->below[k + 1] : f->area;
+
+    FN(face_triangle)(f, k, (at - f->below[k]) / (above - f->below[k]), v, direction, pdf);
+}
+
+static inline int FN(rectangle_area_build)(struct FN(face) *f, const real position[3],
+                                           const real normal[3], const real *light)
+{
+    int c;
+
+    (void)normal;
+    for (c = 0; c < 3; c++) {
+        f->corner[c] = light[c] - position[c];
+        f->edge[0][c] = light[3 + c];
+        f->edge[1][c] = light[6 + c];
+    }
+    FN(cross)(f->edge[0], f->edge[1], f->normal);
+    f->area = sqrt(FN(dot)(f->normal, f->normal));
+    FN(normalize)(f->normal);
+    return 1;
+}
+
+static inline void FN(rectangle_area_sample)(const struct FN(face) *f, real u, real v,
+                                             real direction[3], real *pdf)
+{
+    FN(face_sample)(f, f->edge[0], f->edge[1], u, v, direction, pdf);
 }
