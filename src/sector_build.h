@@ -145,6 +145,17 @@ static inline void sector_constants(const struct psc_sector_wide *wide, struct p
     s->versine = cosine > 0.0 ? s->sine * s->sine / (1.0 + cosine) : 1.0 - cosine;
 }
 
+/* A sector that is still too wide when no halvings are left. That takes a polygon that is not convex,
+   as one is seen from within the rounding of its own plane: all that is left to see to is that its
+   numbers are some. */
+static inline void force_sector(struct psc_sector *s)
+{
+    s->versine = MIN(s->versine, 1.0);
+    s->sine = MIN(s->sine, 0.8);
+    s->sine_w = s->sine;
+    s->sine_more = 0.0;
+}
+
 /* What is left of the fields when the constants are there, as masses. */
 static inline void sector_masses(struct psc_sector *s, double *sum)
 {
@@ -197,8 +208,11 @@ static inline void add_sector(struct psc_sectors *to, const struct psc_sector_wi
         struct psc_sector *const s = to->sector + to->count;
         double cut[2];
 
+        int fits;
+
         sector_constants(top, s);
-        if (!fits_sector(top, s, cut) && to->halvings > 0) {
+        fits = fits_sector(top, s, cut);
+        if (!fits && to->halvings > 0) {
             struct psc_sector_wide rest;
 
             cut_sector(top, cut[0], cut[1], &rest);
@@ -207,6 +221,8 @@ static inline void add_sector(struct psc_sectors *to, const struct psc_sector_wi
             pending++;
             to->halvings--;
         } else {
+            if (!fits)
+                force_sector(s);
             sector_masses(s, &to->sum);
             sector_hit(top, corner, to->hit + to->count);
             to->count++;

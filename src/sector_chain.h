@@ -48,7 +48,7 @@ static inline int end_at_inner(const struct psc_chain_edge *o, const struct psc_
     const double near = MAX(to_q, 0.0), far = MAX(from_p, 0.0), k = o->across[2];
     const double per = 1.0 / (near + far);
 
-    if (!(k > 0.0 && near + far > 0.0))
+    if (!(k > 0.0 && near + far >= DBL_MIN))
         return 0;
     end->outer[0] = near * per;
     end->outer[1] = far * per;
@@ -131,8 +131,8 @@ static inline void emit_sector(struct psc_sectors *to, const struct psc_chain_en
 
     scale3(per_a, first->u, wide.a.u);
     scale3(per_b, second->u, wide.b.u);
-    wide.a.d = MAX(first->rise, 0.0) * per_a;
-    wide.b.d = MAX(second->rise, 0.0) * per_b;
+    wide.a.d = MIN(MAX(first->rise, 0.0) * per_a, PSC_ZENITH_RISE);
+    wide.b.d = MIN(MAX(second->rise, 0.0) * per_b, PSC_ZENITH_RISE);
     for (c = 0; c < 2; c++) {
         wide.a.outer[c] = first->outer[c] * per_a;
         wide.a.inner[c] = first->inner[c] * per_a;
