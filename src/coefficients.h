@@ -42,6 +42,12 @@
     0x1.10f55833e4fe7p-4, -0x1.df8f741d6f6c5p-5, 0x1.9ede38ddc7328p-5, \
     -0x1.3c809b716f6d0p-5, 0x1.2e84aac3c544fp-6
 
+/* (t - atan t) / t^3 of t^2 in [0, 1]: relative error 9.3e-8 */
+#define PSC_ATAN_F32 \
+    0x1.555554p-2f, -0x1.99983cp-3f, 0x1.246cd2p-3f, \
+    -0x1.c3f168p-4f, 0x1.6295f8p-4f, -0x1.0001c6p-4f, \
+    0x1.25dc12p-5f, -0x1.ba9f66p-7f, 0x1.38de56p-9f
+
 /* (N - 1) / w, N = 3/2 (x - sin x cos x) / sin^3 x, of w as in segment.h: relative error 1.1e-16 */
 #define PSC_SEGMENT_F64 \
     0x1.3333333333333p+0, 0x1.5643a55141cccp-1, 0x1.50bf9a865abd1p-2, \

@@ -111,6 +111,7 @@ emit("PSC_COSINE_F32", cosine_defect, mpf(0), right, 5, 24, "(1 - cos x) / x^2 o
 emit("PSC_ATAN_F64", atan_defect, mpf(0), mpf(1), 21, 53, "(t - atan t) / t^3 of t^2 in [0, 1]")
 emit("PSC_ATAN_NEAR_F64", atan_defect, mpf(0), mpf("0.18"), 11, 53,
      "(t - atan t) / t^3 of t^2 in [0, 0.18]")
+emit("PSC_ATAN_F32", atan_defect, mpf(0), mpf(1), 9, 24, "(t - atan t) / t^3 of t^2 in [0, 1]")
 text = "(N - 1) / w, N = 3/2 (x - sin x cos x) / sin^3 x, of w as in segment.h"
 emit("PSC_SEGMENT_F64", segment_rise, mpf(0), top, 16, 53, text)
 emit("PSC_SEGMENT_F32", segment_rise, mpf(0), top, 8, 24, text)

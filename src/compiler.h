@@ -28,4 +28,14 @@
 #define PSC_UNROLL
 #endif
 
+/* Before a short loop of constant length that is to become vector code itself, not many scalar
+   statements. */
+#if defined(__clang__)
+#define PSC_KEEP_LOOP
+#elif defined(__GNUC__)
+#define PSC_KEEP_LOOP _Pragma("GCC unroll 1")
+#else
+#define PSC_KEEP_LOOP
+#endif
+
 #endif

@@ -13,6 +13,8 @@
 #include "chord_tmpl.h"
 #include "disk_map_tmpl.h"
 #include "span_map_tmpl.h"
+#include "fibre_map_tmpl.h"
+#include "fibre_series_tmpl.h"
 #else
 #include "span_map_tmpl.h"
 #endif

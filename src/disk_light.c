@@ -147,7 +147,7 @@ static psc_result invert_fibres(const psc_sampler *s, const double direction[3],
     const struct psc_disk_light *l = &s->disk;
     const int side = s->sides == 2 && dot(direction, l->receiver) < 0.0;
     const double sign = l->inside && side == 1 ? -1.0 : 1.0;
-    struct psc_fibre_direction at;
+    struct psc_fibre_direction_f64 at;
     struct seen d;
 
     if (look_above(s, direction, epsilon, &d) < -32.0 * epsilon)

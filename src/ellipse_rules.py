@@ -51,6 +51,8 @@ def rule(m, bits):
     nodes = [(2 * j + 1) * pi / (4 * m) for j in range(m)]
     print(f"static const struct {{")
     print(f"    {real} c[{m}], s[{m}], per_c[{m}], per_s[{m}], wave[{m * m}], power[{m * m}];")
+    if bits == 53:
+        print(f"    {real} column[{m * m}];")
     print(f"}} psc_rule_{name} = {{")
     print(array("c", [cos(x) for x in nodes], bits))
     print(array("s", [sin(x) for x in nodes], bits))
@@ -58,6 +60,8 @@ def rule(m, bits):
     print(array("per_s", [1 / sin(x) for x in nodes], bits))
     print(array("wave", [cos(2 * k * x) for k in range(m) for x in nodes], bits))
     print(array("power", [c for row in chebyshev(m) for c in row], bits))
+    if bits == 53:
+        print(array("column", [cos(2 * k * x) for x in nodes for k in range(m)], bits))
     print("};\n")
 
 
@@ -65,7 +69,7 @@ print("""/* SPDX-License-Identifier: Apache-2.0 */
 /* Written by ellipse_rules.py: do not edit.
    Rules of m nodes x_j = (j + 1/2) pi / (2 m): cosines and sines with their reciprocals,
    wave[k m + j] = cos 2 k x_j, power[k m + i] the coefficient of x^i in the Chebyshev polynomial
-   T_k. */
+   T_k; column[j m + k] = wave[k m + j]. */
 #ifndef PSC_SRC_ELLIPSE_RULES_H
 #define PSC_SRC_ELLIPSE_RULES_H
 """)

@@ -45,7 +45,7 @@ static inline double sharpness(const struct psc_sharp *p, double s)
 }
 
 /* A half space (flat) has none: what would be sharp at its edge is at the edge. */
-static inline void find_sharp(const struct psc_sheaf *f, int flat, struct psc_sharp *p)
+static inline void find_sharp(const struct psc_sheaf_f64 *f, int flat, struct psc_sharp *p)
 {
     const double tangent = SQRT(f->shear * f->shear + f->width * f->width);
     const double k = flat ? 3.0 : arsinh_below(f->cos_m / f->sin_m);
@@ -121,7 +121,7 @@ static inline double half_panels(struct psc_fibres *f, int lower, const struct p
 }
 
 /* The side of the horizon given; 0 when nothing is above it. */
-static inline int sheaf_build(struct psc_sheaf *f, const struct psc_ellipse *e,
+static inline int sheaf_build(struct psc_sheaf_f64 *f, const struct psc_ellipse *e,
                               const struct psc_horizon *h)
 {
     const double at = MIN(e->at, PSC_WIDEST_TANGENT), bt = MIN(e->bt, PSC_WIDEST_TANGENT);
@@ -148,11 +148,17 @@ static inline int sheaf_build(struct psc_sheaf *f, const struct psc_ellipse *e,
     f->width = at * (bt / stretch);
     f->end = PSC_PI;
     f->rest = 0.0;
-    if (f->clipped)
-        f->end = angle_and_rest(-h->z, f->cos_m * SQRT(h->margin), &f->rest);
+    f->cos_end = -1.0;
+    if (f->clipped) {
+        const double sine = f->cos_m * SQRT(h->margin);
+
+        f->end = angle_and_rest(-h->z, sine, &f->rest);
+        f->cos_end = -h->z / SQRT(h->z * h->z + sine * sine);
+    }
     widest = f->end < 0.5 * PSC_PI ? f->width * f->cos_m * SQRT(h->margin) / f->sin_m : f->width;
-    /* the sine of the angle of a fibre is 2 half / (first second) of struct psc_fibre */
+    /* the sine of the angle of a fibre is 2 half / (first second) of struct psc_fibre_f64 */
     f->brief = 4.25 * widest <= 1.0;
+    f->brief_f32 = 2.0 * widest <= 1.0;
     return 1;
 }
 
@@ -165,12 +171,13 @@ static inline int fibres_build(struct psc_fibres *f, const struct psc_ellipse *e
     if (!sheaf_build(&f->sheaf, e, h))
         return 0;
     f->total = PSC_PI * (e->a * e->b) * h->z; /* unless the horizon cuts it */
-    f->series.rule = series_serves(&f->sheaf, &f->series.steps) ? fibre_rule(e->at) : -1;
-    switch (f->series.rule) {
+    f->steps = series_steps(&f->sheaf, e->at);
+    f->rule = f->steps > 0 ? fibre_rule(e->at) : -1;
+    switch (f->rule) {
 #define BUILD_CASE(i, m, most)                                                                  \
     case i:                                                                                     \
-        series_build(m, psc_rule_f64_##m.c, psc_rule_f64_##m.s, psc_rule_f64_##m.wave,          \
-                     psc_rule_f64_##m.power, f);                                                \
+        series_build(m, psc_rule_f64_##m.c, psc_rule_f64_##m.s, psc_rule_f64_##m.per_s,         \
+                     psc_rule_f64_##m.column, psc_rule_f64_##m.power, f);                       \
         return f->total > 0.0;
         PSC_FIBRE_RULES(BUILD_CASE)
 #undef BUILD_CASE

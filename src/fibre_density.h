@@ -16,26 +16,11 @@
 #ifndef PSC_SRC_FIBRE_DENSITY_H
 #define PSC_SRC_FIBRE_DENSITY_H
 
-#include "elementary.h"
+#include "ellipse_chord.h"
 #include "fibres.h"
+#include "segment.h"
 
-struct psc_fibre {
-    double sine, cosine;  /* of s */
-    double k;             /* cosine of psi */
-    double height;        /* of the middle over the horizon */
-    double middle, half;  /* shear cos s, width sin s: (tan chi_2 +- tan chi_1) / 2 */
-    double first, second; /* 1 / cos chi at both ends */
-    double angle;         /* chi_2 - chi_1 */
-    double weight;        /* W */
-};
-
-/* x - sin x, x in [0, pi], given the sine. */
-PSC_LANE double angle_excess(double x, double sine)
-{
-    const double z = x * x;
-
-    return x <= 0.5 * PSC_PI ? x * z * sine_polynomial_f64(z) : x - sine;
-}
+#include "fibre_map_tmpl.h"
 
 /* The sine of an angle in [0, pi], given by what it lacks of pi too. */
 PSC_LANE double sine_between(double x, double rest)
@@ -45,58 +30,36 @@ PSC_LANE double sine_between(double x, double rest)
     return near - near * (near * near) * sine_polynomial_f64(near * near);
 }
 
-/* All of a fibre but its height. */
-PSC_LANE void fibre_shape(const struct psc_sheaf *f, double sine, double cosine,
-                          struct psc_fibre *o)
-{
-    double d, t1, t2, product, sum, spread;
-
-    o->sine = sine;
-    o->cosine = cosine;
-    o->k = SQRT(f->cos_m * f->cos_m + (f->sin_m * sine) * (f->sin_m * sine));
-    o->middle = f->shear * cosine;
-    o->half = f->width * sine;
-    t1 = o->middle - o->half;
-    t2 = o->middle + o->half;
-    product = t1 * t2;
-    o->first = SQRT(1.0 + t1 * t1);
-    o->second = SQRT(1.0 + t2 * t2);
-    d = o->first * o->second;
-    spread = 2.0 * o->half / d;
-    o->angle = angle_of(1.0 + product, 2.0 * o->half);
-    /* W = angle - sin angle + sin angle (1 + cos(chi_1 + chi_2)) */
-    product = 1.0 - product;
-    sum = product >= 0.0 ? 1.0 + product / d : 4.0 * (o->middle * o->middle) / (d * (d - product));
-    o->weight = angle_excess(o->angle, spread) + spread * sum;
-}
-
-/* The fibre at x from the top of the range, or from its end. */
-PSC_LANE void fibre_at(const struct psc_sheaf *f, int clipped, int lower, double x,
-                       struct psc_fibre *o)
+/* Where the fibre at x from the top of the range is, or from its end. */
+PSC_LANE void fibre_place_at(const struct psc_sheaf_f64 *f, int clipped, int lower, double x,
+                             struct psc_fibre_site_f64 *o)
 {
     const double s = lower ? f->end - x : x, back = lower ? f->rest + x : PSC_PI - x;
-    const double near = MIN(s, back);
+    const double near = MIN(s, back), e = 0.5 * (lower ? x : f->end - x);
     double defect, versine;
 
     sine_cosine_defects_f64(near, &defect, &versine);
     /* above 0, so that the ends of a half space, which is infinitely wide, are as the rest */
-    fibre_shape(f, MAX(near - defect, 1e-40), s <= back ? 1.0 - versine : versine - 1.0, o);
-    if (clipped) {
-        /* sin(psi - psi_end) from sin psi - sin psi_end = sin m (cos s - cos end) */
-        const double e = 0.5 * (lower ? x : f->end - x);
-        const double rise =
-            2.0 * f->sin_m * sine_between(e, PSC_PI) * sine_between(f->end - e, f->rest + e);
-        const double sum = o->k + f->nf;
-
-        o->height = 2.0 * rise * sum / (sum * sum + rise * rise);
-    } else {
-        o->height = MAX(f->nz * o->k + f->nf * (f->sin_m * o->cosine), 0.0);
-    }
+    o->sine = MAX(near - defect, 1e-40);
+    o->cosine = s <= back ? 1.0 - versine : versine - 1.0;
+    /* sin m (cos s - cos end) */
+    o->rise = clipped ? 2.0 * f->sin_m * sine_between(e, PSC_PI) *
+                            sine_between(f->end - e, f->rest + e)
+                      : 0.0;
 }
 
-PSC_LANE double fibre_density(const struct psc_sheaf *f, int lower, double x)
+PSC_LANE void fibre_at(const struct psc_sheaf_f64 *f, int clipped, int lower, double x,
+                       struct psc_fibre_f64 *o)
 {
-    struct psc_fibre o;
+    struct psc_fibre_site_f64 site;
+
+    fibre_place_at(f, clipped, lower, x, &site);
+    fibre_of_f64(f, clipped, &site, o);
+}
+
+PSC_LANE double fibre_density(const struct psc_sheaf_f64 *f, int lower, double x)
+{
+    struct psc_fibre_f64 o;
 
     fibre_at(f, f->clipped, lower, x, &o);
     return 0.5 * o.height * o.weight * f->sin_m * (o.sine / o.k);
@@ -113,7 +76,8 @@ static const double psc_gauss_weight[PSC_GAUSS / 2] = {
     0.18260341504492358887, 0.18945061045506849629};
 
 /* The integral of the density between two places on one half. */
-static inline double fibre_integral(const struct psc_sheaf *f, int lower, double from, double to)
+static inline double fibre_integral(const struct psc_sheaf_f64 *f, int lower, double from,
+                                    double to)
 {
     const double half = 0.5 * (to - from);
     double value[PSC_GAUSS], sum = 0.0;
@@ -132,7 +96,8 @@ static inline double fibre_integral(const struct psc_sheaf *f, int lower, double
 }
 
 /* The same with four nodes. */
-static inline double rough_integral(const struct psc_sheaf *f, int lower, double from, double to)
+static inline double rough_integral(const struct psc_sheaf_f64 *f, int lower, double from,
+                                    double to)
 {
     const double half = 0.5 * (to - from), middle = 0.5 * (to + from);
     const double inner = 0.33998104358485626480 * half, outer = 0.86113631159405257522 * half;

@@ -1,30 +1,161 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Sampling by projected solid angle, one sample at a time or in blocks: in double behind both
- * precisions up to the direction, in that of the kernel from there to the hit. Template: see
- * precision.h.
+ * Sampling by projected solid angle, one sample at a time or in blocks. Where the integral over s
+ * is a series all is in the precision of the kernel, but that a fibre next to a horizon, where
+ * the density over s is 0, is found in double; where there are panels all is in double up to the
+ * direction. Template: see precision.h.
  */
 
 /* From inside the second side is the mirror image of the first. */
-#define FIBRE_MIRROR(light, side) ((light)->inside && (side) == 1 ? -1.0 : 1.0)
+#define FIBRE_MIRROR(light, side) ((light)->inside && (side) == 1 ? K(-1.0) : K(1.0))
 
-PSC_LANE void FN(fibre_world)(const struct psc_disk_light *l, double mirror, double x, double y,
-                              double z, real direction[3])
+/* ---- Rounded to the precision of the kernel ---- */
+
+#if PSC_REAL_BITS == 64
+#define SERIES_FITS(f) ((f)->rule >= 0)
+#define SERIES_OF(m, f, to) (&(f)->series)
+#define SHEAF_OF(f, to) (&(f)->sheaf)
+#else
+/* Squares of what is in the light's size must be numbers. */
+#define SERIES_FITS(f) ((f)->rule >= 0 && (f)->sheaf.width > 1e-15 && (f)->sheaf.sin_m > 1e-15)
+#define SERIES_OF(m, f, to) FN(round_series)(m, &(f)->series, to)
+#define SHEAF_OF(f, to) FN(round_sheaf)(&(f)->sheaf, to)
+
+static const struct FN(psc_sheaf) *FN(round_sheaf)(const struct psc_sheaf_f64 *from,
+                                                   struct FN(psc_sheaf) *to)
+{
+    int i;
+
+    for (i = 0; i < 2; i++) {
+        to->f[i] = (real)from->f[i];
+        to->turn[i] = (real)from->turn[i];
+    }
+    to->sin_m = (real)from->sin_m;
+    to->cos_m = (real)from->cos_m;
+    to->shear = (real)from->shear;
+    to->width = (real)from->width;
+    to->nz = (real)from->nz;
+    to->nf = (real)from->nf;
+    to->end = (real)from->end;
+    to->rest = (real)from->rest;
+    to->cos_end = (real)from->cos_end;
+    to->clipped = from->clipped;
+    to->brief = to->brief_f32 = from->brief_f32;
+    return to;
+}
+
+PSC_LANE const struct FN(psc_fibre_series) *
+FN(round_series)(int n, const struct psc_fibre_series_f64 *from, struct FN(psc_fibre_series) *to)
+{
+    int i, k;
+
+    to->mean = (real)from->mean;
+    for (k = 0; k < 2; k++)
+        for (i = 0; i < PSC_START_TERMS; i++)
+            to->start[k][i] = (real)from->start[k][i];
+    PSC_KEEP_LOOP
+    for (i = 0; i < n; i++) {
+        to->even[i] = (real)from->even[i];
+        to->odd[i] = (real)from->odd[i];
+        to->even_integral[i] = (real)from->even_integral[i];
+        to->odd_integral[i] = (real)from->odd_integral[i];
+        to->even_slope[i] = (real)from->even_slope[i];
+        to->odd_slope[i] = (real)from->odd_slope[i];
+    }
+    return to;
+}
+#endif
+
+static void FN(round_direction)(const struct psc_fibre_direction_f64 *from,
+                                struct FN(psc_fibre_direction) *to)
+{
+    to->x = (real)from->x;
+    to->y = (real)from->y;
+    to->z = (real)from->z;
+    to->depth = (real)from->depth;
+    to->uz = (real)from->uz;
+    to->vz = (real)from->vz;
+    to->margin = (real)from->margin;
+    to->height = (real)from->height;
+}
+
+PSC_LANE void FN(fibre_world)(const struct FN(psc_disk_world) *w, real mirror, real x, real y,
+                              real z, real direction[3])
 {
     int i;
 
     for (i = 0; i < 3; i++)
-        direction[i] = (real)(mirror * (l->axis[i] + z * l->seen.z[i]) +
-                              (x * l->seen.x[i] + y * l->seen.y[i]));
+        direction[i] = mirror * (w->axis[i] + z * w->z[i]) + (x * w->x[i] + y * w->y[i]);
+}
+
+/* What the coordinates of a cone need of it. */
+struct FN(fibre_frame) {
+    real per[2], bt;
+};
+
+static struct FN(fibre_frame) FN(frame_of)(const struct psc_disk_light *l)
+{
+    const struct FN(fibre_frame) frame = {
+        {(real)(l->seen.ca / l->seen.a), (real)(l->seen.cb / l->seen.b)}, (real)l->seen.bt};
+
+    return frame;
 }
 
 /* ---- One sample ---- */
+
+PSC_LANE void FN(round_site)(const struct psc_fibre_site_f64 *from, struct FN(psc_fibre_site) *to)
+{
+    to->sine = (real)from->sine;
+    to->cosine = (real)from->cosine;
+    to->rise = (real)from->rise;
+}
+
+/* The fibre of a series that the horizon does not clip. */
+static void FN(find_whole)(const struct psc_fibres *f, const struct FN(psc_sheaf) *sheaf, real u,
+                           struct FN(psc_fibre_site) *site)
+{
+    struct FN(psc_fibre_series) series;
+
+    (void)series;
+    switch (f->rule) {
+#define FIND_CASE(i, m, most)                                                                     \
+    case i:                                                                                       \
+        FN(series_find)(m, SERIES_OF(m, f, &series), sheaf, f->steps, u, K(1.0) - u, site);       \
+        break;
+        PSC_FIBRE_RULES(FIND_CASE)
+#undef FIND_CASE
+    default: break;
+    }
+}
+
+static void FN(series_point)(const struct psc_disk_light *l, const struct psc_fibres *f, real u,
+                             real v, struct FN(psc_fibre_direction) *d)
+{
+    const struct FN(fibre_frame) frame = FN(frame_of)(l);
+    struct FN(psc_fibre_site) site;
+    struct FN(psc_sheaf) rounded;
+    const struct FN(psc_sheaf) *const sheaf = SHEAF_OF(f, &rounded);
+
+    (void)rounded;
+    if (sheaf->clipped) {
+        struct psc_fibre_site_f64 wide;
+
+        find_fibre(f, (double)u, 1.0 - (double)u, &wide);
+        FN(round_site)(&wide, &site);
+    } else {
+        FN(find_whole)(f, sheaf, u, &site);
+    }
+    if (sheaf->brief)
+        FN(place_on_fibre)(sheaf, sheaf->clipped, 1, frame.per, frame.bt, &site, v, d);
+    else
+        FN(place_on_fibre)(sheaf, sheaf->clipped, 0, frame.per, frame.bt, &site, v, d);
+}
 
 static psc_result FN(fibre_sample)(const psc_sampler *s, real u, real v,
                                    FN(psc_light_sample) *out)
 {
     const struct psc_disk_light *l = &s->disk;
-    struct psc_fibre_direction d;
+    struct FN(psc_fibre_direction) d;
     struct FN(psc_disk_world) w;
     real within;
     int side;
@@ -32,95 +163,112 @@ static psc_result FN(fibre_sample)(const psc_sampler *s, real u, real v,
     if (s->sides == 0)
         return PSC_EMPTY;
     side = FN(pick_side)(s, u, &within);
-    fibre_point(l, side, (double)within, (double)v, &d);
-    FN(fibre_world)(l, FIBRE_MIRROR(l, side), d.x, d.y, d.z, out->direction);
-    out->pdf = (real)(d.height * s->inverse_total);
+    if (SERIES_FITS(l->fibres + side)) {
+        FN(series_point)(l, l->fibres + side, within, v, &d);
+    } else {
+        struct psc_fibre_direction_f64 wide;
+
+        fibre_point(l, side, (double)within, (double)v, &wide);
+        FN(round_direction)(&wide, &d);
+    }
     FN(disk_world)(s, &w);
+    FN(fibre_world)(&w, FIBRE_MIRROR(l, side), d.x, d.y, d.z, out->direction);
+    out->pdf = d.height * w.inverse_total;
     out->weight = w.total;
     if (l->inside) {
         FN(inside_hit)(&w, out->direction, out->point, out->normal, &out->distance);
         out->surface[0] = out->surface[1] = K(0.0);
     } else {
-        FN(gnomonic_hit)(l->solid, &w, (real)d.uz, (real)d.vz, (real)d.depth, (real)d.margin, out->point,
-                         out->normal, &out->distance, out->surface);
+        FN(gnomonic_hit)(l->solid, &w, d.uz, d.vz, d.depth, d.margin, out->point, out->normal,
+                         &out->distance, out->surface);
     }
     return out->weight > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
 }
 
 /* ---- Blocks ---- */
 
-/* Where the fibres are: from the top, or from the end. */
-struct FN(fibre_places) {
-    double x[PSC_BLOCK], target[PSC_BLOCK], sign[PSC_BLOCK], v[PSC_BLOCK];
+/* Where the fibres are. */
+struct FN(fibre_sites) {
+    real sine[PSC_BLOCK], cosine[PSC_BLOCK], rise[PSC_BLOCK];
 };
 
 struct FN(fibre_directions) {
-    double x[PSC_BLOCK], y[PSC_BLOCK], z[PSC_BLOCK], height[PSC_BLOCK];
+    real x[PSC_BLOCK], y[PSC_BLOCK], z[PSC_BLOCK], height[PSC_BLOCK];
     real depth[PSC_BLOCK], uz[PSC_BLOCK], vz[PSC_BLOCK], margin[PSC_BLOCK];
 };
 
-#define FIND_BLOCK(i, m, most)                                                                     \
-    static void FN(find_fibres_##m)(const struct psc_fibres *f, size_t n, const real *restrict u,  \
-                                    struct FN(fibre_places) *restrict to)                          \
+PSC_LANE void FN(store_direction)(struct FN(fibre_directions) *to, size_t e,
+                                  const struct FN(psc_fibre_direction) *d)
+{
+    to->x[e] = d->x;
+    to->y[e] = d->y;
+    to->z[e] = d->z;
+    to->height[e] = d->height;
+    to->depth[e] = d->depth;
+    to->uz[e] = d->uz;
+    to->vz[e] = d->vz;
+    to->margin[e] = d->margin;
+}
+
+/* In the precision `number`, of which P adds the suffix. */
+#define FIND_BLOCK(name, m, number, P, series_of)                                                  \
+    static void FN(name)(const struct psc_fibres *f, const struct P(psc_sheaf) *from, size_t n,    \
+                         const real *restrict u, struct FN(fibre_sites) *restrict to)              \
     {                                                                                              \
-        const struct psc_fibre_series q = f->series;                                               \
-        const struct psc_sheaf sheaf = f->sheaf;                                                   \
+        const struct P(psc_sheaf) sheaf = *from;                                                   \
+        const int steps = f->steps;                                                                \
+        struct P(psc_fibre_series) series;                                                         \
+        const struct P(psc_fibre_series) *const q = series_of(m, f, &series);                      \
+        number x[PSC_BLOCK], target[PSC_BLOCK], sign[PSC_BLOCK];                                   \
         size_t e;                                                                                  \
         int step;                                                                                  \
                                                                                                    \
+        (void)series;                                                                              \
         for (e = 0; e < n; e++)                                                                    \
-            to->x[e] = series_start(&sheaf, &q, (double)u[e], 1.0 - (double)u[e], &to->sign[e],    \
-                                    &to->target[e]);                                               \
-        for (step = 0; step < q.steps; step++)                                                     \
+            x[e] = P(series_start)(q, sheaf.clipped, sheaf.end, (number)u[e],                      \
+                                   (number)1.0 - (number)u[e], &sign[e], &target[e]);              \
+        for (step = 1; step < steps; step++)                                                       \
             for (e = 0; e < n; e++)                                                                \
-                to->x[e] =                                                                         \
-                    series_step(m, &q, to->sign[e], sheaf.end, to->target[e], to->x[e]);           \
+                x[e] = P(series_nearer)(m, q, sign[e], sheaf.end, target[e], x[e]);                \
+        for (e = 0; e < n; e++) {                                                                  \
+            struct P(psc_fibre_site) site;                                                         \
+                                                                                                   \
+            P(series_place)(m, q, &sheaf, sign[e], target[e], x[e], &site);                        \
+            to->sine[e] = (real)site.sine;                                                         \
+            to->cosine[e] = (real)site.cosine;                                                     \
+            to->rise[e] = (real)site.rise;                                                         \
+        }                                                                                          \
     }
-PSC_FIBRE_RULES(FIND_BLOCK)
+#define FIND_WHOLE(i, m, most) FIND_BLOCK(find_whole_##m, m, real, FN, SERIES_OF)
+#define WIDE(name) name##_f64
+#define WIDE_SERIES_OF(m, f, to) (&(f)->series)
+#define FIND_CLIPPED(i, m, most) FIND_BLOCK(find_clipped_##m, m, double, WIDE, WIDE_SERIES_OF)
+PSC_FIBRE_RULES(FIND_WHOLE)
+#if PSC_REAL_BITS == 32
+PSC_FIBRE_RULES(FIND_CLIPPED)
+#define FIND_CLIPPED_BLOCK(m) FN(find_clipped_##m)
+#else
+#define FIND_CLIPPED_BLOCK(m) FN(find_whole_##m)
+#endif
+#undef FIND_WHOLE
+#undef FIND_CLIPPED
 #undef FIND_BLOCK
 
-static void FN(find_fibres)(const struct psc_fibres *f, size_t n, const real *u,
-                            struct FN(fibre_places) *to)
-{
-    size_t e;
-    int lower;
-
-    switch (f->series.rule) {
-#define FIND_CASE(i, m, most) \
-    case i: FN(find_fibres_##m)(f, n, u, to); break;
-        PSC_FIBRE_RULES(FIND_CASE)
-#undef FIND_CASE
-    default:
-        for (e = 0; e < n; e++) {
-            to->x[e] = panel_find(f, (double)u[e], 1.0 - (double)u[e], &lower);
-            to->sign[e] = lower ? -1.0 : 1.0;
-        }
-        break;
-    }
-}
-
 #define PLACE_BLOCK(name, clipped, brief)                                                          \
-    static void FN(name)(const struct psc_disk_light *l, const struct psc_sheaf *from, size_t n,   \
-                         const struct FN(fibre_places) *restrict at,                               \
-                         struct FN(fibre_directions) *restrict to)                                 \
+    static void FN(name)(const struct psc_disk_light *l, const struct FN(psc_sheaf) *from,         \
+                         size_t n, const struct FN(fibre_sites) *restrict at,                      \
+                         const real *restrict v, struct FN(fibre_directions) *restrict to)         \
     {                                                                                              \
-        const double per[2] = {l->seen.ca / l->seen.a, l->seen.cb / l->seen.b}, bt = l->seen.bt;   \
-        const struct psc_sheaf f = *from;                                                          \
+        const struct FN(fibre_frame) frame = FN(frame_of)(l);                                      \
+        const struct FN(psc_sheaf) f = *from;                                                      \
         size_t e;                                                                                  \
                                                                                                    \
         for (e = 0; e < n; e++) {                                                                  \
-            struct psc_fibre_direction d;                                                          \
+            const struct FN(psc_fibre_site) site = {at->sine[e], at->cosine[e], at->rise[e]};      \
+            struct FN(psc_fibre_direction) d;                                                      \
                                                                                                    \
-            place_on_fibre(&f, clipped, brief, per, bt, at->sign[e] < 0.0, at->x[e], at->v[e],     \
-                           &d);                                                                    \
-            to->x[e] = d.x;                                                                        \
-            to->y[e] = d.y;                                                                        \
-            to->z[e] = d.z;                                                                        \
-            to->height[e] = d.height;                                                              \
-            to->depth[e] = (real)d.depth;                                                          \
-            to->uz[e] = (real)d.uz;                                                                \
-            to->vz[e] = (real)d.vz;                                                                \
-            to->margin[e] = (real)d.margin;                                                        \
+            FN(place_on_fibre)(&f, clipped, brief, frame.per, frame.bt, &site, v[e], &d);          \
+            FN(store_direction)(to, e, &d);                                                        \
         }                                                                                          \
     }
 PLACE_BLOCK(place_whole, 0, 0)
@@ -128,6 +276,47 @@ PLACE_BLOCK(place_whole_brief, 0, 1)
 PLACE_BLOCK(place_clipped, 1, 0)
 PLACE_BLOCK(place_clipped_brief, 1, 1)
 #undef PLACE_BLOCK
+
+static void FN(series_block)(const struct psc_disk_light *l, const struct psc_fibres *f, size_t n,
+                             const real *u, const real *v, struct FN(fibre_directions) *d)
+{
+    struct FN(fibre_sites) sites;
+    struct FN(psc_sheaf) rounded;
+    const struct FN(psc_sheaf) *const sheaf = SHEAF_OF(f, &rounded);
+
+    (void)rounded;
+    switch (f->rule) {
+#define FIND_CASE(i, m, most)                                   \
+    case i:                                                     \
+        if (sheaf->clipped)                                     \
+            FIND_CLIPPED_BLOCK(m)(f, &f->sheaf, n, u, &sites);  \
+        else                                                    \
+            FN(find_whole_##m)(f, sheaf, n, u, &sites);         \
+        break;
+        PSC_FIBRE_RULES(FIND_CASE)
+#undef FIND_CASE
+    default: return;
+    }
+    if (sheaf->clipped)
+        (sheaf->brief ? FN(place_clipped_brief) : FN(place_clipped))(l, sheaf, n, &sites, v, d);
+    else
+        (sheaf->brief ? FN(place_whole_brief) : FN(place_whole))(l, sheaf, n, &sites, v, d);
+}
+
+static void FN(panel_block)(const struct psc_disk_light *l, int side, size_t n, const real *u,
+                            const real *v, struct FN(fibre_directions) *d)
+{
+    size_t e;
+
+    for (e = 0; e < n; e++) {
+        struct psc_fibre_direction_f64 wide;
+        struct FN(psc_fibre_direction) narrow;
+
+        fibre_point(l, side, (double)u[e], (double)v[e], &wide);
+        FN(round_direction)(&wide, &narrow);
+        FN(store_direction)(d, e, &narrow);
+    }
+}
 
 PSC_LANE void FN(fibre_hits)(int inside, int solid, const struct FN(psc_disk_world) *w, size_t n,
                              const struct FN(fibre_directions) *restrict d,
@@ -143,8 +332,8 @@ PSC_LANE void FN(fibre_hits)(int inside, int solid, const struct FN(psc_disk_wor
         if (inside)
             FN(inside_hit)(&own, direction, point, normal, &distance);
         else
-            FN(gnomonic_hit)(solid, &own, d->uz[i], d->vz[i], d->depth[i], d->margin[i], point, normal,
-                             &distance, surface);
+            FN(gnomonic_hit)(solid, &own, d->uz[i], d->vz[i], d->depth[i], d->margin[i], point,
+                             normal, &distance, surface);
         FN(store_surface)(r, i, point, normal, distance, surface[0], surface[1]);
     }
 }
@@ -165,29 +354,24 @@ static void FN(fibre_side_block)(const psc_sampler *s, int side, size_t n, const
                                  const real *v, int surface, struct FN(psc_results) *r)
 {
     const struct psc_disk_light *l = &s->disk;
-    const struct psc_fibres *f = l->fibres + side;
-    const double mirror = FIBRE_MIRROR(l, side), inverse = s->inverse_total;
-    struct FN(fibre_places) places;
+    const real mirror = FIBRE_MIRROR(l, side);
     struct FN(fibre_directions) d;
     struct FN(psc_disk_world) w;
     size_t i;
 
-    FN(find_fibres)(f, n, u, &places);
-    for (i = 0; i < n; i++)
-        places.v[i] = (double)v[i];
-    if (f->sheaf.clipped)
-        (f->sheaf.brief ? FN(place_clipped_brief) : FN(place_clipped))(l, &f->sheaf, n, &places, &d);
+    if (SERIES_FITS(l->fibres + side))
+        FN(series_block)(l, l->fibres + side, n, u, v, &d);
     else
-        (f->sheaf.brief ? FN(place_whole_brief) : FN(place_whole))(l, &f->sheaf, n, &places, &d);
+        FN(panel_block)(l, side, n, u, v, &d);
     FN(disk_world)(s, &w);
     for (i = 0; i < n; i++) {
         real direction[3];
 
-        FN(fibre_world)(l, mirror, d.x[i], d.y[i], d.z[i], direction);
+        FN(fibre_world)(&w, mirror, d.x[i], d.y[i], d.z[i], direction);
         r->value[0][i] = direction[0];
         r->value[1][i] = direction[1];
         r->value[2][i] = direction[2];
-        r->value[PSC_PDF][i] = (real)(d.height[i] * inverse);
+        r->value[PSC_PDF][i] = d.height[i] * w.inverse_total;
     }
     for (i = 0; i < n; i++) {
         r->value[PSC_WEIGHT][i] = w.total;

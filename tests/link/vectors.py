@@ -25,6 +25,7 @@ LOOPS = [
     ("cap", r"look_(cone|projected)", ("base",)), # SSE2 has no choice between doubles by integers
     ("cap", r"invert_(radial|parallel|concentric)_\w+", ()),
     ("disk", r"(radial|concentric|parallel|area_\w+)_block_\w+", ()),
+    ("disk", r"find_(whole|clipped)_\d+_f\d\d", ()),
     ("disk", r"place_(whole|clipped)(_brief)?_f\d\d", ()),
     ("polygon", r"fan_block_f\d\d", ()),
     ("polygon", r"rectangle(_area)?_block_f\d\d", ()),
