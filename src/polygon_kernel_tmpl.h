@@ -40,21 +40,18 @@ PSC_LANE int FN(pick_triangle)(const struct psc_polygon_light *l, real u, real *
     return k;
 }
 
-PSC_LANE void FN(area_map)(const struct psc_flat *f, double volume, enum psc_facing facing, real u,
-                           real v, real share[3], real direction[3], real *distance, real *pdf,
-                           real *weight)
+/* A point of the area map but for its weight. */
+PSC_LANE void FN(round_flat)(const struct psc_flat_point *p, real share[3], real direction[3],
+                             real *distance, real *pdf)
 {
-    struct psc_flat_point p;
     int i;
 
-    flat_map(f, volume, (double)u, (double)v, &p);
     for (i = 0; i < 3; i++) {
-        share[i] = (real)p.share[i];
-        direction[i] = (real)p.direction[i];
+        share[i] = (real)p->share[i];
+        direction[i] = (real)p->direction[i];
     }
-    *distance = (real)p.distance;
-    *pdf = (real)p.pdf;
-    *weight = (real)(fan_cosine_f64(facing, p.height) * p.inverse);
+    *distance = (real)p->distance;
+    *pdf = (real)p->pdf;
 }
 
 /* The maps of a rectangle along its edges, in double: fractions of the edges, direction, distance
@@ -144,8 +141,11 @@ static psc_result FN(polygon_sample)(const psc_sampler *s, real u, real v,
     k = FN(pick_triangle)(l, u, &u);
     FN(polygon_world)(s, &w);
     if (s->measure == PSC_MEASURE_AREA) {
-        FN(area_map)(l->flat + k, l->volume, w.facing, u, v, share, out->direction, &distance,
-                     &out->pdf, &out->weight);
+        struct psc_flat_point p;
+
+        flat_map(l->flat + k, l->volume, (double)u, (double)v, &p);
+        FN(round_flat)(&p, share, out->direction, &distance, &out->pdf);
+        out->weight = (real)(fan_cosine_f64(w.facing, p.height) * p.inverse);
     } else {
         const struct FN(psc_fan) fan = FAN_OF(l->fan + k);
         struct FN(psc_spot) p;
@@ -211,7 +211,8 @@ static void FN(fan_block)(const psc_sampler *s, int k, size_t n, const real *res
     }
 }
 
-/* The same by area. */
+/* The same by area. What becomes of the cosine is chosen in a loop of its own, since one that has
+   to is no vector code. */
 static void FN(flat_block)(const psc_sampler *s, int k, size_t n, const real *restrict u,
                            const real *restrict v, int surface, struct FN(psc_results) *restrict r)
 {
@@ -220,28 +221,31 @@ static void FN(flat_block)(const psc_sampler *s, int k, size_t n, const real *re
     const real normal[3] = {(real)s->polygon.normal[0], (real)s->polygon.normal[1],
                             (real)s->polygon.normal[2]};
     const double volume = s->polygon.volume;
+    double height[PSC_BLOCK], inverse[PSC_BLOCK];
     struct FN(psc_polygon_world) w;
     size_t i;
 
     (void)surface;
     FN(polygon_world)(s, &w);
     for (i = 0; i < n; i++) {
-        real share[3], direction[3], distance, pdf, weight, point[3], first, second;
+        real share[3], direction[3], distance, point[3], first, second;
+        struct psc_flat_point p;
 
-        FN(area_map)(&flat, volume, w.facing, u[i], v[i], share, direction, &distance, &pdf,
-                     &weight);
+        flat_map(&flat, volume, (double)u[i], (double)v[i], &p);
+        FN(round_flat)(&p, share, direction, &distance, r->value[PSC_PDF] + i);
         FN(face_point)(&face, share[0], share[1], share[2], point, &first, &second);
         r->value[0][i] = direction[0];
         r->value[1][i] = direction[1];
         r->value[2][i] = direction[2];
-        r->value[PSC_PDF][i] = pdf;
-        r->value[PSC_WEIGHT][i] = weight;
+        height[i] = p.height;
+        inverse[i] = p.inverse;
         FN(store_surface)(r, i, point, normal, distance * w.unit, first, second);
     }
+    for (i = 0; i < n; i++)
+        r->value[PSC_WEIGHT][i] = (real)(fan_cosine_f64(w.facing, height[i]) * inverse[i]);
 }
 
-/* A rectangle along its edges: two loops for each measure, since one that has to choose what
-   becomes of the cosine is no vector code. */
+/* A rectangle along its edges: two loops for each measure, likewise. */
 #define RECTANGLE_BLOCK(name, area)                                                            \
     static void FN(name)(const psc_sampler *s, size_t n, const real *restrict u,               \
                          const real *restrict v, struct FN(psc_results) *restrict r)           \

@@ -116,12 +116,11 @@ double psc_polygon_pdf(const psc_sampler *s, const double direction[3], double e
         return projected_pdf(s, direction, epsilon);
     if (s->map == PSC_MAP_PARALLEL) {
         struct psc_rectangle_point p;
-        double vector[3];
 
-        if (!rectangle_look(&l->rectangle, direction, 32.0 * epsilon, &p))
-            return 0.0;
-        rectangle_vector(&l->rectangle, &p, vector);
-        t = SQRT(dot(vector, vector));
+        return rectangle_look(&l->rectangle, direction, 32.0 * epsilon, &p)
+                   ? rectangle_pdf(&l->rectangle, &p, s->measure == PSC_MEASURE_AREA, l->volume,
+                                   s->inverse_total)
+                   : 0.0;
     } else {
         struct psc_spot_f64 p;
         const int k = find_triangle(l, direction, epsilon, &p);
@@ -140,7 +139,7 @@ static void invert_rectangle(const psc_sampler *s, const struct psc_rectangle_po
         uv[0] = p->u;
         uv[1] = p->v;
     } else {
-        rectangle_invert(&s->polygon.rectangle, p, uv);
+        rectangle_invert(&s->polygon.rectangle, s->polygon.rectangle.x_a == 0.0, p, uv);
     }
 }
 

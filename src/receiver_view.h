@@ -162,14 +162,17 @@ static inline void see_from_receiver(const struct psc_polygon_view *view, const 
         add_product(normal[2], o->frame[c][2], &sum, &error);
         slip[c] = (sum + error) * shrink;
     }
+    memset(&o->point[0].offset, 0, sizeof o->point[0].offset);
     for (i = 0; i < view->count; i++) {
         struct psc_ring_point *const p = o->point + i;
         struct psc_word2 vertex, edge;
 
         vertex_words(view, i, &vertex);
-        edge_between(view, 0, i, &edge);
         turn_words(o, normal, shrink, slip, &vertex, &p->p);
-        turn_words(o, normal, shrink, slip, &edge, &p->offset);
+        if (i > 0) {
+            edge_between(view, 0, i, &edge);
+            turn_words(o, normal, shrink, slip, &edge, &p->offset);
+        }
         p->vertex[0] = p->vertex[1] = i;
         p->share[0] = 1.0;
         p->share[1] = 0.0;

@@ -38,8 +38,8 @@ PSC_LANE void scale_words(struct psc_word2 *w, double scale)
 
 /* What edge_v has across edge_u, in two words: rounding leaves edges of no caller exactly
    perpendicular, and maps and totals that take a needle for different shapes differ by more than
-   rounding. */
-PSC_LANE psc_result straighten(const double u[3], const double v[3], struct psc_word2 *to)
+   rounding. Whether they are to within the tolerance. */
+PSC_LANE int straighten(const double u[3], const double v[3], struct psc_word2 *to)
 {
     const double scale_u = unit_scale(largest(u)), scale_v = unit_scale(largest(v));
     double uu = 0.0, vv = 0.0, uv = 0.0, error = 0.0, shear, p, low;
@@ -53,8 +53,6 @@ PSC_LANE psc_result straighten(const double u[3], const double v[3], struct psc_
         add_product(a, b, &uv, &error);
     }
     uv += error;
-    if (!(ABS(uv) <= PSC_RECTANGLE_TOLERANCE * SQRT(uu * vv)))
-        return PSC_ERROR_NOT_RECTANGLE;
     shear = uu > 0.0 ? uv / uu : 0.0;
     for (c = 0; c < 3; c++) {
         two_product(-shear, u[c] * scale_u, &p, &low);
@@ -62,34 +60,33 @@ PSC_LANE psc_result straighten(const double u[3], const double v[3], struct psc_
         to->low[c] = p + low;
     }
     scale_words(to, 1.0 / scale_v);
-    return PSC_SUCCESS;
+    return ABS(uv) <= PSC_RECTANGLE_TOLERANCE * SQRT(uu * vv);
 }
 
-/* g: corner, edge_u and edge_v, finite. */
-PSC_LANE psc_result see_rectangle(const double position[3], const double *g,
-                                  struct psc_polygon_view *view, struct psc_rectangle_words *o)
+/* g: corner, edge_u and edge_v. Whether the angle is a right one; *size: of the largest
+   coordinate, which may be none. */
+PSC_LANE int rectangle_words(const double position[3], const double *g,
+                             struct psc_polygon_view *view, struct psc_rectangle_words *o,
+                             double *size)
 {
     struct psc_word2 vertex[4];
-    double size = 0.0;
-    psc_result result;
-    int i, c;
+    int i, c, square;
 
     for (c = 0; c < 3; c++) {
         two_sum(g[c], -position[c], &vertex[0].high[c], &vertex[0].low[c]);
         o->u.high[c] = g[3 + c];
         o->u.low[c] = 0.0;
     }
-    result = straighten(g + 3, g + 6, &o->v);
-    if (result != PSC_SUCCESS)
-        return result;
+    square = straighten(g + 3, g + 6, &o->v);
     add_words(&o->u, &o->v, &o->diagonal);
     add_words(&vertex[0], &o->u, &vertex[1]);
     add_words(&vertex[0], &o->diagonal, &vertex[2]);
     add_words(&vertex[0], &o->v, &vertex[3]);
+    *size = 0.0;
     for (i = 0; i < 4; i++)
-        size = MAX(size, largest(vertex[i].high));
+        *size = MAX(*size, largest(vertex[i].high));
     view->count = 4;
-    view->scale = unit_scale(size);
+    view->scale = unit_scale(*size);
     for (i = 0; i < 4; i++) {
         scale_words(&vertex[i], view->scale);
         for (c = 0; c < 3; c++) {
@@ -101,7 +98,17 @@ PSC_LANE psc_result see_rectangle(const double position[3], const double *g,
     scale_words(&o->u, view->scale);
     scale_words(&o->v, view->scale);
     scale_words(&o->diagonal, view->scale);
-    return is_finite(size) ? PSC_SUCCESS : PSC_ERROR_NOT_FINITE;
+    return square;
+}
+
+PSC_LANE psc_result see_rectangle(const double position[3], const double *g,
+                                  struct psc_polygon_view *view, struct psc_rectangle_words *o)
+{
+    double size;
+
+    return !rectangle_words(position, g, view, o, &size) ? PSC_ERROR_NOT_RECTANGLE
+           : !is_finite(size)                            ? PSC_ERROR_NOT_FINITE
+                                                         : PSC_SUCCESS;
 }
 
 /* g(x) - 1. */
@@ -126,8 +133,8 @@ PSC_LANE void rectangle_see(const struct psc_rectangle_words *o, struct psc_rect
                             struct psc_triangle_view *seen)
 {
     double along = 0.0, along_low = 0.0, across = 0.0, across_low = 0.0;
-    double x1, cosine, more, e0, e1, below, above, plain;
-    int c, shown;
+    double x1, cosine, more, e0, e1, away, t_a, beside, plain, first, above;
+    int c, around, shown;
 
     see_volume(&o->corner, &o->u, &o->v, seen);
     f->width = SQRT(dot(o->u.high, o->u.high));
@@ -156,33 +163,57 @@ PSC_LANE void rectangle_see(const struct psc_rectangle_words *o, struct psc_rect
     more = one_plus(cosine, f->sine * f->sine);
     e0 = rectangle_excess(f, f->x0);
     e1 = rectangle_excess(f, x1);
-    if (f->x0 < 0.0 && x1 > 0.0) {
-        below = rectangle_excess(f, -f->x0);
-        f->half_below = angle_of((2.0 + below) * more, below * f->sine);
-        above = angle_of((2.0 + e1) * more, e1 * f->sine);
-        f->half = f->half_below + above;
-        f->x_a = 0.0;
-        f->t_a = f->g_a = 1.0;
-        f->k1 = 2.0 * more;
-        f->k2 = more;
-        f->most[0] = e1;
-        f->most[1] = below;
-    } else {
-        f->x_a = f->x0;
-        f->t_a = rectangle_t(f->x0, SQRT(f->x0 * f->x0 + f->p0 * f->p0), f->p0);
-        f->g_a = 1.0 + e0;
-        f->k1 = e0 * e0 + 2.0 * f->g_a * more;
-        f->k2 = cosine < 0.0 ? e0 + more : f->g_a + cosine;
-        f->most[0] = rectangle_step(f->x0, f->width, f->p0, f->p1);
-        f->most[1] = 0.0;
-        plain = 1.0 + f->g_a * (1.0 + e1) + (f->g_a + (1.0 + e1)) * cosine;
-        f->half_below = 0.0;
-        f->half = angle_of(cosine < 0.0 ? e0 * e1 + (2.0 + e0 + e1) * more : plain,
-                           f->most[0] * f->sine);
-    }
+    /* Choices of numbers, not of ways: loops over elements are vector code. */
+    around = (f->x0 < 0.0) & (x1 > 0.0);
+    f->x_a = around ? 0.0 : f->x0;
+    away = rectangle_step(f->x_a, around ? -f->x0 : f->width, f->p0, f->p1);
+    t_a = rectangle_t(f->x0, SQRT(f->x0 * f->x0 + f->p0 * f->p0), f->p0);
+    f->t_a = around ? 1.0 : t_a;
+    f->g_a = around ? 1.0 : 1.0 + e0;
+    f->k1 = around ? 2.0 * more : e0 * e0 + 2.0 * f->g_a * more;
+    beside = cosine < 0.0 ? e0 + more : f->g_a + cosine;
+    f->k2 = around ? more : beside;
+    f->most[0] = around ? e1 : away;
+    f->most[1] = around ? away : 0.0;
+    plain = 1.0 + f->g_a * (1.0 + e1) + (f->g_a + (1.0 + e1)) * cosine;
+    beside = cosine < 0.0 ? e0 * e1 + (2.0 + e0 + e1) * more : plain;
+    first = angle_of(around ? (2.0 + away) * more : beside, away * f->sine);
+    above = angle_of(around ? (2.0 + e1) * more : 1.0, around ? e1 * f->sine : 0.0);
+    f->half_below = around ? first : 0.0;
+    f->half = first + above;
     /* In the plane, or without a size, where the quotients are no numbers. */
     shown = (seen->volume != 0.0) & (f->half > 0.0) & (f->half <= PSC_PI);
     f->half = shown ? f->half : 0.0;
+}
+
+/* The two triangles of the radial maps; what they add up to is as much as the whole. */
+static inline void rectangle_fan(psc_sampler *s, const struct psc_rectangle_words *o,
+                                 const double *g, struct psc_fan_sums *sums)
+{
+    struct psc_polygon_light *const l = &s->polygon;
+    const struct psc_fan_places at[2] = {{g, l->height[0], 1.0, 0.0, 0.0, 0.0, 1.0, 1.0},
+                                         {g, l->height[0], 1.0, 1.0, 0.0, 0.0, 0.0, 1.0}};
+    struct psc_fan_sums fan = NO_SUMS;
+    struct psc_triangle_words words;
+    int c;
+
+    vertex_words(&l->view, 1, &words.a);
+    words.b = o->corner;
+    vertex_words(&l->view, 2, &words.c);
+    words.edge_a = o->u;
+    words.edge_c = o->diagonal;
+    words.edge_ac = o->v;
+    fan_add(l, s->measure, &words, at, &fan);
+    words.a = words.c;
+    vertex_words(&l->view, 3, &words.c);
+    words.edge_a = o->diagonal;
+    words.edge_c = o->v;
+    for (c = 0; c < 3; c++)
+        words.edge_ac.high[c] = -o->u.high[c];
+    words.edge_ac.low[0] = words.edge_ac.low[1] = words.edge_ac.low[2] = 0.0;
+    fan_add(l, s->measure, &words, at + 1, &fan);
+    sums->parts = fan.parts;
+    sums->volume = l->triangles > 0 ? sums->volume : 0.0;
 }
 
 PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *request,
@@ -191,6 +222,7 @@ PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *re
     struct psc_polygon_light *l = &s->polygon;
     struct psc_fan_sums sums = NO_SUMS;
     struct psc_polygon_places places = {.first = g, .place = rectangle_places};
+    struct psc_rectangle *const f = &l->rectangle;
     struct psc_triangle_view seen;
     struct psc_rectangle_words o;
     psc_result result;
@@ -207,43 +239,20 @@ PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *re
         places.offset[3][c] = o.v.high[c] * (1.0 / l->view.scale);
         places.offset[2][c] = g[3 + c] + places.offset[3][c];
     }
-    if (s->map == PSC_MAP_PARALLEL || s->projected) {
-        struct psc_rectangle *f = &l->rectangle;
-
-        rectangle_see(&o, f, &seen);
-        f->start = o.corner;
-        f->along = o.u;
-        f->across = o.v;
-        for (c = 0; c < 3; c++) {
-            sums.normal[c] = -2.0 * seen.normal[c];
-            f->corner[c] = g[c];
-            f->edge_u[c] = g[3 + c];
-            f->edge_v[c] = o.v.high[c] * (1.0 / l->view.scale);
-        }
-        sums.volume = f->half > 0.0 ? -2.0 * seen.volume : 0.0;
-        sums.half = f->half;
-    } else {
-        const struct psc_fan_places at[2] = {
-            {g, l->height[0], 1.0, 0.0, 0.0, 0.0, 1.0, 1.0},
-            {g, l->height[0], 1.0, 1.0, 0.0, 0.0, 0.0, 1.0}};
-        struct psc_triangle_words words;
-
-        vertex_words(&l->view, 1, &words.a);
-        words.b = o.corner;
-        vertex_words(&l->view, 2, &words.c);
-        words.edge_a = o.u;
-        words.edge_c = o.diagonal;
-        words.edge_ac = o.v;
-        fan_add(l, s->measure, &words, at, &sums);
-        words.a = words.c;
-        vertex_words(&l->view, 3, &words.c);
-        words.edge_a = o.diagonal;
-        words.edge_c = o.v;
-        for (c = 0; c < 3; c++)
-            words.edge_ac.high[c] = -o.u.high[c];
-        words.edge_ac.low[0] = words.edge_ac.low[1] = words.edge_ac.low[2] = 0.0;
-        fan_add(l, s->measure, &words, at + 1, &sums);
+    rectangle_see(&o, f, &seen);
+    f->start = o.corner;
+    f->along = o.u;
+    f->across = o.v;
+    for (c = 0; c < 3; c++) {
+        sums.normal[c] = -2.0 * seen.normal[c];
+        f->corner[c] = g[c];
+        f->edge_u[c] = g[3 + c];
+        f->edge_v[c] = places.offset[3][c];
     }
+    sums.volume = f->half > 0.0 ? -2.0 * seen.volume : 0.0;
+    sums.half = f->half;
+    if (s->map == PSC_MAP_RADIAL && !s->projected)
+        rectangle_fan(s, &o, g, &sums);
     return polygon_finish(s, request, &sums, 1.0, &places);
 }
 

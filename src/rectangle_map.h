@@ -117,18 +117,18 @@ PSC_LANE void rectangle_map(const struct psc_rectangle *f, double u, double v,
     p->y = around ? MIN(MAX(between, f->y0), f->y1) : p->y;
 }
 
-/* The fractions of the solid angle at fractions p->u and p->v of the edges. */
-PSC_LANE void rectangle_invert(const struct psc_rectangle *f, const struct psc_rectangle_point *p,
-                               double uv[2])
+/* The fractions of the solid angle at fractions p->u and p->v of the edges; around: x_a is 0. */
+PSC_LANE void rectangle_invert(const struct psc_rectangle *f, int around,
+                               const struct psc_rectangle_point *p, double uv[2])
 {
-    const double dx = p->x - f->x_a, away = ABS(f->x_a == 0.0 ? dx : p->u * f->width);
+    const double dx = p->x - f->x_a, away = ABS(around ? dx : p->u * f->width);
     const double dg = rectangle_step(f->x_a, away, f->p0, f->p1);
     const double w = angle_of(f->k1 + dg * f->k2, dg * f->sine);
     const double d2 = p->x * p->x + f->z * f->z;
     const double r0 = SQRT(d2 + f->y0 * f->y0), r1 = SQRT(d2 + f->y1 * f->y1);
     const double r = SQRT(d2 + p->y * p->y);
 
-    uv[0] = (f->half_below + (f->x_a == 0.0 && dx < 0.0 ? -w : w)) / f->half;
+    uv[0] = (f->half_below + (around ? COPYSIGN(w, dx) : w)) / f->half;
     uv[1] = elevation_step(d2, f->y0, r0, p->y, r, p->v * f->height) /
             elevation_step(d2, f->y0, r0, f->y1, r1, f->height);
 }
@@ -143,23 +143,46 @@ PSC_LANE void rectangle_vector(const struct psc_rectangle *f, const struct psc_r
         to[c] = (p->x * f->x[c] + p->y * f->y[c]) + f->z * f->up[c];
 }
 
-/* Where a direction meets the rectangle; whether it does, to within slack. Directions along the
-   plane, which the four edges let pass, must point to it too. */
-PSC_LANE int rectangle_look(const struct psc_rectangle *f, const double direction[3], double slack,
-                            struct psc_rectangle_point *p)
+/* Where a direction meets the rectangle; how far it is within all edges, as a sine, and a number
+   that is positive where it points to the light: directions along the plane, which the four edges
+   let pass, must. */
+PSC_LANE void rectangle_meet(const struct psc_rectangle *f, const double direction[3],
+                             struct psc_rectangle_point *p, double *within, double *ahead)
 {
     const double x = dot(direction, f->x), y = dot(direction, f->y), z = dot(direction, f->up);
     const double to_x0 = (f->z * x - f->x0 * z) / SQRT(f->x0 * f->x0 + f->z * f->z);
     const double to_x1 = (f->x1 * z - f->z * x) / SQRT(f->x1 * f->x1 + f->z * f->z);
     const double to_y0 = (f->z * y - f->y0 * z) / f->p0, to_y1 = (f->y1 * z - f->z * y) / f->p1;
+    const double to_x = MIN(to_x0, to_x1), to_y = MIN(to_y0, to_y1);
     const double up = MAX(z, 0x1p-1000);
 
     p->x = MIN(MAX(f->z * x / up, f->x0), f->x1);
     p->y = MIN(MAX(f->z * y / up, f->y0), f->y1);
     p->u = MIN((p->x - f->x0) / f->width, 1.0);
     p->v = MIN((p->y - f->y0) / f->height, 1.0);
-    return (to_x0 >= -slack) & (to_x1 >= -slack) & (to_y0 >= -slack) & (to_y1 >= -slack) &
-           (x * p->x + y * p->y + z * f->z > 0.0);
+    *within = MIN(to_x, to_y);
+    *ahead = x * p->x + y * p->y + z * f->z;
+}
+
+/* The same, and whether it meets it to within slack. */
+PSC_LANE int rectangle_look(const struct psc_rectangle *f, const double direction[3], double slack,
+                            struct psc_rectangle_point *p)
+{
+    double within, ahead;
+
+    rectangle_meet(f, direction, p, &within, &ahead);
+    return (within >= -slack) & (ahead > 0.0);
+}
+
+/* The density of a point per steradian; volume is the area times twice the height over it. */
+PSC_LANE double rectangle_pdf(const struct psc_rectangle *f, const struct psc_rectangle_point *p,
+                              int area, double volume, double inverse_total)
+{
+    double vector[3], distance;
+
+    rectangle_vector(f, p, vector);
+    distance = SQRT(dot(vector, vector));
+    return area ? 2.0 * (distance * distance * distance) / volume : inverse_total;
 }
 
 #endif

@@ -38,7 +38,7 @@ struct psc_sector { PSC_SECTOR_FIELDS(PSC_SECTOR_NUMBER) };
    that each is on, [a or b][from or to]. */
 struct psc_sector_hit {
     double outer[2][2], inner[2][2];
-    int corner[4]; /* of the outer edge, from and to, and of the inner edge */
+    unsigned char corner[4]; /* of the outer edge, from and to, and of the inner edge */
 };
 
 /* U, W and the density at l. */

@@ -190,8 +190,8 @@ static inline void sector_hit(const struct psc_sector_wide *wide, const int corn
         hit->outer[1][i] = wide->b.outer[i];
         hit->inner[0][i] = wide->a.inner[i];
         hit->inner[1][i] = wide->b.inner[i];
-        hit->corner[i] = corner[i];
-        hit->corner[2 + i] = corner[2 + i];
+        hit->corner[i] = (unsigned char)corner[i];
+        hit->corner[2 + i] = (unsigned char)corner[2 + i];
     }
 }
 
