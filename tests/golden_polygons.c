@@ -181,7 +181,7 @@ const struct golden_quantity golden_polygons[] = {
      {{"solid angle, relative", 2e-15},
       {"density f64, relative", 2e-15},
       {"density f32, relative", 1e-7},
-      {"solid angle as a fan, relative", 2e-15},
+      {"solid angle of radial maps, relative", 2e-15},
       {NULL, 0.0}, {NULL, 0.0}}},
     {"rectangle_ufk",
      "sx,sy,sz,exx,exy,exz,eyx,eyy,eyz,xi1,xi2,s_fraction,t_fraction,dx,dy,dz,amp_xi", 17,

@@ -40,7 +40,9 @@ struct shape {
        they come back reversed, so that no rule for them is without a jump. */
     double jumps;
     /* The same by projected solid angle, of lights whose azimuths begin anew as the receiver's
-       normal crosses a side, or as the horizon cuts off another vertex. */
+       normal crosses a side. No rule is without: outside, azimuths begin along that side, and for
+       a normal that goes around within the light that direction turns once, which one that it has
+       everywhere inside cannot. */
     double azimuth_jumps;
 
     /* The public calls. The geometry is the numbers of all parts, `in` has an input for each part;

@@ -29,6 +29,11 @@ LOOPS = [
     ("disk", r"place_(whole|clipped)(_brief)?_f\d\d", ()),
     ("polygon", r"fan_block_f\d\d", ()),
     ("polygon", r"rectangle(_area)?_block_f\d\d", ()),
+    ("polygon", r"rectangle(_area)?s_(around|above)_f\d\d", ("base",)),
+    ("polygon", r"pdf_rectangle(_area)?", ("base",)),
+    ("polygon", r"invert_rectangle_(around|beside|area)", ("base",)),
+    ("polygon", r"flat_block_f\d\d", ()),
+    ("polygon", r"(solve_sectors|sector_block)_f\d\d", ()),
     ("polygon", r"triangle_wave_f\d\d", ("base",)),
 ]
 # Those that a compiler may have inlined into what calls them.
