@@ -5,22 +5,16 @@
 
 #include "checks.h"
 
-/* Builds a shape from a checked request and the numbers of its geometry. */
-static inline psc_result psc_fill(psc_sampler *sampler, const struct psc_shape_row *shape,
-                                  const struct psc_request *request, const double *geometry,
-                                  int numbers)
+/* Builds a shape from a checked request and the numbers of its geometry, which are finite, or whose
+   build tells if they are not. */
+static inline psc_result psc_fill_unchecked(psc_sampler *sampler,
+                                            const struct psc_shape_row *shape,
+                                            const struct psc_request *request,
+                                            const double *geometry)
 {
-    const struct psc_variant *kernels;
+    const struct psc_variant *const kernels = psc_dispatch();
     psc_result result;
-    int i, finite = 1;
 
-    for (i = 0; i < numbers; i++)
-        finite &= is_finite(geometry[i]);
-    if (!finite) {
-        psc_clear(sampler);
-        return PSC_ERROR_NOT_FINITE;
-    }
-    kernels = psc_dispatch();
     sampler->f32 = kernels->f32[shape->kernel];
     sampler->f64 = kernels->f64[shape->kernel];
     sampler->shape = shape;
@@ -45,6 +39,21 @@ static inline psc_result psc_fill(psc_sampler *sampler, const struct psc_shape_r
     sampler->total = sampler->inverse_total = 0.0;
     sampler->visibility = PSC_CASE_EMPTY;
     return PSC_EMPTY;
+}
+
+/* The same with that check. */
+static inline psc_result psc_fill(psc_sampler *sampler, const struct psc_shape_row *shape,
+                                  const struct psc_request *request, const double *geometry,
+                                  int numbers)
+{
+    int i, finite = 1;
+
+    for (i = 0; i < numbers; i++)
+        finite &= is_finite(geometry[i]);
+    if (finite)
+        return psc_fill_unchecked(sampler, shape, request, geometry);
+    psc_clear(sampler);
+    return PSC_ERROR_NOT_FINITE;
 }
 
 /* Builds a shape whose geometry is a vector and a scalar. */

@@ -37,8 +37,9 @@ static inline psc_result psc_check_technique(const psc_technique *technique,
     return PSC_SUCCESS;
 }
 
-static inline psc_result psc_check_point(uint32_t flags, const double *position,
-                                         const double *normal, struct psc_request *request)
+/* Without looking at the numbers. */
+static inline psc_result psc_read_point(uint32_t flags, const double *position,
+                                        const double *normal, struct psc_request *request)
 {
     if (flags & ~(uint32_t)PSC_RECEIVER_TWO_SIDED)
         return PSC_ERROR_UNKNOWN_FLAG;
@@ -49,9 +50,25 @@ static inline psc_result psc_check_point(uint32_t flags, const double *position,
     request->facing = !normal                          ? PSC_FACING_NONE
                       : flags & PSC_RECEIVER_TWO_SIDED ? PSC_FACING_BOTH
                                                        : PSC_FACING_ONE;
-    if (!is_finite3(position) || (normal && !is_finite3(normal)))
+    return PSC_SUCCESS;
+}
+
+/* The numbers. */
+static inline psc_result psc_check_numbers(const struct psc_request *request)
+{
+    const double *const normal = request->normal;
+
+    if (!is_finite3(request->position) || (normal && !is_finite3(normal)))
         return PSC_ERROR_NOT_FINITE;
     return normal && largest(normal) == 0.0 ? PSC_ERROR_ZERO_VECTOR : PSC_SUCCESS;
+}
+
+static inline psc_result psc_check_point(uint32_t flags, const double *position,
+                                         const double *normal, struct psc_request *request)
+{
+    const psc_result result = psc_read_point(flags, position, normal, request);
+
+    return result == PSC_SUCCESS ? psc_check_numbers(request) : result;
 }
 
 static inline psc_result psc_check_receiver(const psc_receiver *receiver,

@@ -12,17 +12,17 @@
 
 #include "polygon_view.h"
 
-/* X is a number, V a vector. Lengths are in units of the view. */
+/* X is a number, V a vector. Lengths are in units of the builder's choice. sin_a and cos_a may have
+   a common factor, which that of near, far and the root of gap then takes back. */
 #define PSC_FAN_FIELDS(X, V)                                                          \
     X(half) X(rest) /* half the solid angle, and what it lacks of pi */               \
     X(sin_a) X(cos_a) /* of alpha */                                                  \
     X(sin_rest) /* of alpha - half */                                                 \
-    X(grow) /* a power of two that keeps squares clear of the subnormal numbers */    \
-    X(near) X(far) /* sin^2 and cos^2 of half the side c, times grow */               \
-    X(gap) /* (sin alpha sin c / 2 grow)^2 */                                         \
+    X(near) X(far) /* sin^2 and cos^2 of half the side c, times a number that keeps   \
+       squares clear of the subnormal ones */                                         \
+    X(gap) /* (sin alpha sin c / 2)^2, times the square of that */                    \
     V(b) V(toward_a) V(toward_c) /* frame at B: b / |b|, across it in the plane of a  \
        and b, and normal to that plane on the side of C */                            \
-    X(height) X(height_a) X(height_c) /* of these above the receiver's plane */       \
     X(share_a) X(share_c) X(slant) /* from the frame to a / |a| and c / |c| */        \
     X(cos_ab) X(cos_bc)                                                               \
     X(per_a) X(per_b) X(per_c) /* 1 / |a| and so on */

@@ -190,14 +190,13 @@ PSC_LANE void see_triangle(const struct psc_triangle_words *words, struct psc_tr
         see_ordinary_triangle(words, o);
 }
 
-/* The constants of the map; heights of the vertices are above the receiver's plane. */
+/* The constants of the map, in units of the view. */
 PSC_LANE void fan_build(const struct psc_triangle_view *o, const struct psc_word2 *b,
-                        const struct psc_word2 *edge_c, const double up[3], double height_b,
-                        struct psc_fan_f64 *f)
+                        const struct psc_word2 *edge_c, struct psc_fan_f64 *f)
 {
     const double per_sine = 1.0 / o->sin_ab, per_sines = per_sine / o->sin_ac;
     const double side = COPYSIGN(per_sine, o->volume);
-    double gap, across[3];
+    double gap, grow, across[3];
     int i;
 
     f->half = o->half;
@@ -208,10 +207,10 @@ PSC_LANE void fan_build(const struct psc_triangle_view *o, const struct psc_word
     f->sin_rest = f->sin_a * o->more_ab * o->more_ac /
                   SQRT(o->sine * o->sine + o->cosine * o->cosine);
     gap = 0.5 * f->sin_a * o->sin_ab;
-    f->grow = MIN(unit_scale(gap), 0x1p62);
-    f->near = 0.5 * o->less_ab * f->grow;
-    f->far = 0.5 * o->more_ab * f->grow;
-    gap *= f->grow;
+    grow = MIN(unit_scale(gap), 0x1p62);
+    f->near = 0.5 * o->less_ab * grow;
+    f->far = 0.5 * o->more_ab * grow;
+    gap *= grow;
     f->gap = MAX(gap * gap, 0x1p-1000);
 
     for (i = 0; i < 3; i++) {
@@ -220,9 +219,6 @@ PSC_LANE void fan_build(const struct psc_triangle_view *o, const struct psc_word
         f->toward_c[i] = o->ab[i] * side;
     }
     cross_rounded(f->b, across, f->toward_a);
-    f->height = height_b * o->per_b;
-    f->height_a = dot(up, f->toward_a);
-    f->height_c = dot(up, f->toward_c);
 
     f->share_c = o->sin_ab / o->sine;
     f->share_a = per_sine;

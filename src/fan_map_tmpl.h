@@ -20,9 +20,10 @@
  * the angle has tan beta = S / C, and the side a^ from B to C^
  *     sin^2(a^ / 2) = (S^2 + C^2) / M,   cos^2(a^ / 2) = (sin alpha sin c / 2)^2 / M,
  *     M = S^2 + C^2 + (sin alpha sin c / 2)^2.
+ * The sine of half the side from B to the sample is sqrt(v) sin(a^ / 2).
  * C is a difference of two products neither of which is above sqrt(M). sin(alpha - x) cancels
  * where A and B are all but antipodal, and nearly the same arcs lead to all C^: what it is at
- * u = 1 keeps samples within the triangle. All but the angles carry a factor grow.
+ * u = 1 keeps samples within the triangle. S, C and the root of M may have any common factor.
  */
 PSC_LANE void FN(fan_map)(const struct FN(psc_fan) *f, real u, real v, struct FN(psc_spot) *p)
 {
@@ -30,7 +31,7 @@ PSC_LANE void FN(fan_map)(const struct FN(psc_fan) *f, real u, real v, struct FN
     const real rest = f->rest + (K(1.0) - u) * f->half; /* pi - x */
     const int obtuse = rest < x;
     real sine_defect, cosine_defect, sine, cosine, sine_rest, cosine_rest;
-    real s, c, square, inverse, away, stay, radius;
+    real s, c, square, inverse, radius;
 
     FN(sine_cosine_defects)(obtuse ? rest : x, &sine_defect, &cosine_defect);
     sine = (obtuse ? rest : x) - sine_defect;
@@ -38,20 +39,23 @@ PSC_LANE void FN(fan_map)(const struct FN(psc_fan) *f, real u, real v, struct FN
     sine_rest = f->sin_a * cosine - f->cos_a * sine;
     cosine_rest = f->cos_a * cosine + f->sin_a * sine;
     sine_rest = MAX(sine_rest, cosine_rest > K(0.0) ? f->sin_rest : K(0.0));
-    s = (f->grow * sine) * sine_rest;
+    s = ((f->near + f->far) * sine) * sine_rest;
     c = (f->near * cosine) * sine_rest - (f->far * sine) * cosine_rest;
     square = s * s + c * c;
-    inverse = K(1.0) / (square + f->gap);
-    away = square * inverse;
-    stay = (K(1.0) - v) + v * (f->gap * inverse);
-#if PSC_BITS == 64
-    radius = K(2.0) * SQRT(v * stay * inverse);
-#else
-    radius = K(2.0) * (SQRT(v * stay) * SQRT(inverse)); /* float does not hold their product */
-#endif
-    p->b = K(1.0) - K(2.0) * v * away;
+    inverse = K(2.0) / (square + f->gap);
+    radius = SQRT(v * ((K(1.0) - v) * square + f->gap)) * inverse;
+    p->b = K(1.0) - v * (square * inverse);
     p->a = radius * c;
     p->c = radius * s;
+}
+
+/* What plain_fan() gives to all triangles, for who knows that they are its own; none of these is so
+   close to the whole sky that what it lacks of that matters. */
+PSC_LANE void FN(plain_constants)(struct FN(psc_fan) *f)
+{
+    f->rest = K(3.14159265358979323846) - f->half;
+    f->sin_a = f->gap = f->per_b = K(1.0);
+    f->sin_rest = K(0.0);
 }
 
 PSC_LANE void FN(fan_direction)(const struct FN(psc_fan) *f, const struct FN(psc_spot) *p,
@@ -63,9 +67,10 @@ PSC_LANE void FN(fan_direction)(const struct FN(psc_fan) *f, const struct FN(psc
         direction[i] = p->b * f->b[i] + (p->a * f->toward_a[i] + p->c * f->toward_c[i]);
 }
 
-PSC_LANE real FN(fan_height)(const struct FN(psc_fan) *f, const struct FN(psc_spot) *p)
+/* The height of a direction above the receiver's plane. */
+PSC_LANE real FN(fan_height)(const real up[3], const real direction[3])
 {
-    return p->b * f->height + (p->a * f->height_a + p->c * f->height_c);
+    return (up[0] * direction[0] + up[1] * direction[1]) + up[2] * direction[2];
 }
 
 /* The cosine that counts; without a normal there is none, and 1 stands for it. */
@@ -82,8 +87,8 @@ PSC_LANE real FN(fan_share)(real x)
 }
 
 /*
- * Where the direction meets the light: the shares of A and C (that of B is the rest), and the
- * distance in units of the view. The direction is a sum of a / |a|, b / |b|, c / |c| with
+ * Where the direction meets the light: the shares of A, B and C, and the distance in units of the
+ * fan. The direction is a sum of a / |a|, b / |b|, c / |c| with
  * positive shares, which follow from its coordinates; no ray is intersected. Where a and b are all
  * but in line, rounding moves much of one share to the other, and what is left of the sum is right:
  * so neither takes more than there is.
@@ -104,6 +109,26 @@ PSC_LANE void FN(fan_hit)(const struct FN(psc_fan) *f, const struct FN(psc_spot)
     *share_a = to_a * inverse;
     *share_b = to_b * inverse;
     *share_c = to_c * inverse;
+    *distance = inverse;
+}
+
+/*
+ * The same for a triangle built by plain_fan(), where no share is more than rounding outside [0, 1]
+ * and |b| is 1: the sum is taken with the coordinates of a and c, not with the rest for b.
+ */
+PSC_LANE void FN(plain_hit)(const struct FN(psc_fan) *f, const struct FN(psc_spot) *p,
+                            real *share_a, real *share_b, real *share_c, real *distance)
+{
+    const real c = p->c * f->share_c;
+    const real first = (p->a - c * f->slant) * f->share_a, a = MAX(first, K(0.0));
+    const real more = a * (f->per_a - f->cos_ab) + c * (f->per_c - f->cos_bc);
+    const real inverse = K(1.0) / (p->b + more);
+    real rest;
+
+    *share_a = (a * f->per_a) * inverse;
+    *share_c = (c * f->per_c) * inverse;
+    rest = (K(1.0) - *share_a) - *share_c;
+    *share_b = MAX(rest, K(0.0));
     *distance = inverse;
 }
 

@@ -53,11 +53,9 @@ struct psc_fan_sums {
     double normal[3], volume, half, parts; /* the length of normal is twice the area */
 };
 
-/* B in world space, its height above the receiver's plane, and the coordinates of the vertices on
-   the light's surface. */
+/* B in world space, and the coordinates of the vertices on the light's surface. */
 struct psc_fan_places {
     const double *pivot;
-    double height_b;
     double s_a, t_a, s_b, t_b, s_c, t_c;
 };
 
@@ -83,7 +81,7 @@ PSC_LANE void fan_add(struct psc_polygon_light *l, psc_measure measure,
     sums->half += seen.half;
     if (measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE)
         return;
-    fan_build(&seen, &w->b, &w->edge_c, l->up, at->height_b, l->fan + l->triangles);
+    fan_build(&seen, &w->b, &w->edge_c, l->fan + l->triangles);
     for (i = 0; i < 3; i++) {
         face->pivot[i] = at->pivot[i];
         face->edge_a[i] = w->edge_a.high[i] * unit;
@@ -189,6 +187,7 @@ PSC_LANE psc_result polygon_finish(psc_sampler *s, const struct psc_request *req
         /* Nothing falls to a share smaller than that. */
         l->per_share[i] = MIN(sums->parts / l->per_share[i], 0x1p96);
     }
+    l->unit = unit;
     s->total = s->measure == PSC_MEASURE_AREA ? l->area : l->solid_angle;
     s->sides = 1;
     s->split = 1.0;
@@ -196,28 +195,6 @@ PSC_LANE psc_result polygon_finish(psc_sampler *s, const struct psc_request *req
 }
 
 #define NO_SUMS {{0.0, 0.0, 0.0}, 0.0, 0.0, 0.0}
-
-/* A triangle (v0, v1, v2) has A, B and C in that order, and is seen from its front where its
-   volume is negative. */
-PSC_LANE psc_result triangle_build(psc_sampler *s, const struct psc_request *request,
-                                   const double *vertices)
-{
-    struct psc_polygon_light *l = &s->polygon;
-    struct psc_fan_places at = {vertices + 3, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0};
-    struct psc_fan_sums sums = NO_SUMS;
-    struct psc_polygon_places places = {.first = vertices, .place = triangle_places};
-    struct psc_triangle_words words;
-
-    if (!see_polygon(request->position, 3, vertices, &l->view))
-        return PSC_ERROR_NOT_FINITE;
-    s->visibility = see_horizon(request->normal, &l->view, l->receiver, l->up, l->height);
-    triangle_words(&l->view, vertices, 0, 1, 2, &words);
-    at.height_b = l->height[1];
-    l->triangles = 0;
-    fan_add(l, s->measure, &words, &at, &sums);
-    vertex_offsets(vertices, 3, &places);
-    return polygon_finish(s, request, &sums, -1.0, &places);
-}
 
 /* ---- Polygons ---- */
 
@@ -323,10 +300,10 @@ PSC_LANE psc_result polygon_build(psc_sampler *s, const struct psc_request *requ
     for (i = 2; i + 1 < count; i++)
         surface_places(spoke[1], spoke[count - 1], spoke[i], place[i], place[i] + 1);
     l->triangles = 0;
+    l->plain = 0;
     for (i = 1; i + 1 < count; i++) {
         const struct psc_fan_places at = {
-            vertices, l->height[0], place[i][0],     place[i][1],
-            0.0,      0.0,          place[i + 1][0], place[i + 1][1]};
+            vertices, place[i][0], place[i][1], 0.0, 0.0, place[i + 1][0], place[i + 1][1]};
         struct psc_triangle_words words;
 
         triangle_words(&l->view, vertices, i, 0, i + 1, &words);

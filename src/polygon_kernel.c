@@ -3,6 +3,7 @@
 #include "flat_map.h"
 #include "kernel_tmpl.h"
 #include "rectangle_build.h"
+#include "triangle_build.h"
 
 #undef PSC_BITS
 #define PSC_BITS 64
@@ -46,7 +47,7 @@ static psc_result build_polygon(psc_sampler *s, const struct psc_request *reques
 }
 #endif
 
-PSC_KERNEL(triangle, FN(polygon_sample), FN(polygon_sample_n), FN(triangle_wave), build_triangle,
+PSC_KERNEL(triangle, FN(triangle_sample), FN(polygon_sample_n), FN(triangle_wave), build_triangle,
            NULL, NULL);
 PSC_KERNEL(rectangle, FN(polygon_sample), FN(polygon_sample_n), FN(rectangle_wave),
            build_rectangle, rectangle_pdfs, rectangle_inverses);

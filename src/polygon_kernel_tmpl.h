@@ -11,9 +11,28 @@
 #define FACE_OF(from) psc_face_round(from)
 #endif
 
+/* A triangle of a fan in world space. */
+PSC_LANE struct FN(psc_face) FN(face_at)(const struct psc_polygon_light *l, int k)
+{
+    struct FN(psc_face) face;
+    int i;
+
+    if (!l->plain)
+        return FACE_OF(l->face + k);
+    for (i = 0; i < 3; i++) {
+        face.pivot[i] = (real)l->corner[1][i];
+        face.edge_a[i] = (real)(l->corner[0][i] - l->corner[1][i]);
+        face.edge_c[i] = (real)(l->corner[2][i] - l->corner[1][i]);
+    }
+    face.s_a = face.s_c = face.t_a = face.t_b = K(0.0);
+    face.s_b = face.t_c = K(1.0);
+    return face;
+}
+
 /* What all samples of a light share. */
 struct FN(psc_polygon_world) {
-    real pdf, total, unit; /* density, its inverse, and the length of 1 in the view */
+    real pdf, total, unit; /* density, its inverse, and the length of 1 in the fan */
+    real up[3];            /* the receiver's normal */
     enum psc_facing facing;
 };
 
@@ -21,7 +40,10 @@ PSC_LANE void FN(polygon_world)(const psc_sampler *s, struct FN(psc_polygon_worl
 {
     w->pdf = (real)s->inverse_total;
     w->total = (real)s->total;
-    w->unit = (real)(1.0 / s->polygon.view.scale);
+    w->unit = (real)s->polygon.unit;
+    w->up[0] = (real)s->polygon.up[0];
+    w->up[1] = (real)s->polygon.up[1];
+    w->up[2] = (real)s->polygon.up[2];
     w->facing = s->facing;
 }
 
@@ -123,6 +145,35 @@ static psc_result FN(rectangle_sample)(const psc_sampler *s, real u, real v,
     return out->weight > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
 }
 
+/* Of a triangle built by plain_fan(), with what is the same in all these. */
+static psc_result FN(plain_sample)(const psc_sampler *s, real u, real v, FN(psc_light_sample) *out)
+{
+    const struct psc_polygon_light *l = &s->polygon;
+    const double *const b = l->corner[1];
+    struct FN(psc_fan) fan = FAN_OF(l->fan);
+    struct FN(psc_polygon_world) w;
+    struct FN(psc_spot) p;
+    real a, distance;
+    int i;
+
+    FN(plain_constants)(&fan);
+    FN(polygon_world)(s, &w);
+    FN(fan_map)(&fan, u, v, &p);
+    FN(fan_direction)(&fan, &p, out->direction);
+    out->pdf = w.pdf;
+    out->weight = w.total * FN(fan_cosine)(w.facing, FN(fan_height)(w.up, out->direction));
+    FN(plain_hit)(&fan, &p, &a, out->surface, out->surface + 1, &distance);
+    out->distance = distance * w.unit;
+    PSC_UNROLL
+    for (i = 0; i < 3; i++)
+        out->point[i] = (real)b[i] + (a * (real)(l->corner[0][i] - b[i]) +
+                                      out->surface[1] * (real)(l->corner[2][i] - b[i]));
+    PSC_UNROLL
+    for (i = 0; i < 3; i++)
+        out->normal[i] = (real)l->normal[i];
+    return out->weight > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
+}
+
 static psc_result FN(polygon_sample)(const psc_sampler *s, real u, real v,
                                      FN(psc_light_sample) *out)
 {
@@ -154,9 +205,9 @@ static psc_result FN(polygon_sample)(const psc_sampler *s, real u, real v,
         FN(fan_direction)(&fan, &p, out->direction);
         FN(fan_hit)(&fan, &p, share, share + 1, share + 2, &distance);
         out->pdf = w.pdf;
-        out->weight = w.total * FN(fan_cosine)(w.facing, FN(fan_height)(&fan, &p));
+        out->weight = w.total * FN(fan_cosine)(w.facing, FN(fan_height)(w.up, out->direction));
     }
-    face = FACE_OF(l->face + k);
+    face = FN(face_at)(l, k);
     FN(face_point)(&face, share[0], share[1], share[2], out->point, out->surface,
                    out->surface + 1);
     out->distance = distance * w.unit;
@@ -165,21 +216,31 @@ static psc_result FN(polygon_sample)(const psc_sampler *s, real u, real v,
     return out->weight > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
 }
 
+static psc_result FN(triangle_sample)(const psc_sampler *s, real u, real v,
+                                      FN(psc_light_sample) *out)
+{
+    return s->sides > 0 && s->polygon.plain ? FN(plain_sample)(s, u, v, out)
+                                            : FN(polygon_sample)(s, u, v, out);
+}
+
 /* ---- Blocks ---- */
 
 /* n samples of one triangle by solid angle; what does not vary is a loop of its own, so that all
-   of them become vector code. */
-static void FN(fan_block)(const psc_sampler *s, int k, size_t n, const real *restrict u,
-                          const real *restrict v, int surface, struct FN(psc_results) *restrict r)
+   of them become vector code. plain: built by plain_fan(). */
+PSC_LANE void FN(fan_lanes)(const psc_sampler *s, int k, int plain, size_t n,
+                            const real *restrict u, const real *restrict v, int surface,
+                            struct FN(psc_results) *restrict r)
 {
-    const struct FN(psc_fan) fan = FAN_OF(s->polygon.fan + k);
-    const struct FN(psc_face) face = FACE_OF(s->polygon.face + k);
-    real b[PSC_BLOCK], a[PSC_BLOCK], c[PSC_BLOCK];
+    const struct FN(psc_face) face = FN(face_at)(&s->polygon, k);
     const real normal[3] = {(real)s->polygon.normal[0], (real)s->polygon.normal[1],
                             (real)s->polygon.normal[2]};
+    struct FN(psc_fan) fan = FAN_OF(s->polygon.fan + k);
+    real b[PSC_BLOCK], a[PSC_BLOCK], c[PSC_BLOCK];
     struct FN(psc_polygon_world) w;
     size_t i;
 
+    if (plain)
+        FN(plain_constants)(&fan);
     FN(polygon_world)(s, &w);
     for (i = 0; i < n; i++) {
         struct FN(psc_spot) p;
@@ -195,20 +256,35 @@ static void FN(fan_block)(const psc_sampler *s, int k, size_t n, const real *res
         c[i] = p.c;
     }
     for (i = 0; i < n; i++) {
-        const struct FN(psc_spot) p = {b[i], a[i], c[i]};
+        const real direction[3] = {r->value[0][i], r->value[1][i], r->value[2][i]};
 
         r->value[PSC_PDF][i] = w.pdf;
         r->value[PSC_WEIGHT][i] =
-            w.total * FN(fan_cosine)(w.facing, FN(fan_height)(&fan, &p));
+            w.total * FN(fan_cosine)(w.facing, FN(fan_height)(w.up, direction));
     }
     for (i = 0; surface && i < n; i++) {
         const struct FN(psc_spot) p = {b[i], a[i], c[i]};
         real share[3], distance, point[3], first, second;
 
-        FN(fan_hit)(&fan, &p, share, share + 1, share + 2, &distance);
+        if (plain)
+            FN(plain_hit)(&fan, &p, share, share + 1, share + 2, &distance);
+        else
+            FN(fan_hit)(&fan, &p, share, share + 1, share + 2, &distance);
         FN(face_point)(&face, share[0], share[1], share[2], point, &first, &second);
         FN(store_surface)(r, i, point, normal, distance * w.unit, first, second);
     }
+}
+
+static void FN(fan_block)(const psc_sampler *s, int k, size_t n, const real *u, const real *v,
+                          int surface, struct FN(psc_results) *r)
+{
+    FN(fan_lanes)(s, k, 0, n, u, v, surface, r);
+}
+
+static void FN(plain_block)(const psc_sampler *s, int k, size_t n, const real *u, const real *v,
+                            int surface, struct FN(psc_results) *r)
+{
+    FN(fan_lanes)(s, k, 1, n, u, v, surface, r);
 }
 
 /* The same by area. What becomes of the cosine is chosen in a loop of its own, since one that has
@@ -217,7 +293,7 @@ static void FN(flat_block)(const psc_sampler *s, int k, size_t n, const real *re
                            const real *restrict v, int surface, struct FN(psc_results) *restrict r)
 {
     const struct psc_flat flat = s->polygon.flat[k];
-    const struct FN(psc_face) face = FACE_OF(s->polygon.face + k);
+    const struct FN(psc_face) face = FN(face_at)(&s->polygon, k);
     const real normal[3] = {(real)s->polygon.normal[0], (real)s->polygon.normal[1],
                             (real)s->polygon.normal[2]};
     const double volume = s->polygon.volume;
@@ -315,7 +391,9 @@ static void FN(polygon_side_block)(const psc_sampler *s, int side, size_t n, con
                                    const real *v, int surface, struct FN(psc_results) *r)
 {
     const FN(triangle_block) block =
-        s->measure == PSC_MEASURE_AREA ? FN(flat_block) : FN(fan_block);
+        s->measure == PSC_MEASURE_AREA ? FN(flat_block)
+        : s->polygon.plain             ? FN(plain_block)
+                                       : FN(fan_block);
     size_t i;
 
     if (s->projected) {

@@ -2,8 +2,8 @@
 #include "polygon_light.h"
 
 #include "fan_inverse.h"
-#include "polygon_build.h"
 #include "sector_inverse.h"
+#include "triangle_build.h"
 
 #undef PSC_BITS
 #define PSC_BITS 64
@@ -18,6 +18,25 @@ psc_result psc_polygon_solid_angle_of(const psc_sampler *s, double *value)
     return *value > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
 }
 
+/* Of a triangle that was built without what this takes: of one that is built for it. */
+static psc_result plain_projected_solid_angle(const psc_sampler *s, double *value)
+{
+    const struct psc_request request = {.measure = PSC_MEASURE_PROJECTED_SOLID_ANGLE,
+                                        .map = PSC_MAP_RADIAL,
+                                        .facing = s->facing,
+                                        .position = s->polygon.position,
+                                        .normal = s->polygon.receiver};
+    psc_sampler other;
+
+    psc_clear(&other);
+    other.measure = request.measure;
+    other.facing = request.facing;
+    other.projected = 1;
+    triangle_build(&other, &request, s->polygon.corner[0]);
+    *value = other.total;
+    return *value > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
+}
+
 psc_result psc_polygon_projected_solid_angle(const psc_sampler *s, double *value)
 {
     struct psc_sector_light sectors;
@@ -26,6 +45,8 @@ psc_result psc_polygon_projected_solid_angle(const psc_sampler *s, double *value
 
     if (s->facing == PSC_FACING_NONE)
         return PSC_ERROR_NEEDS_NORMAL;
+    if (s->sides > 0 && s->polygon.plain)
+        return plain_projected_solid_angle(s, value);
     *value = s->sides > 0 && s->projected ? s->total : 0.0;
     if (s->sides > 0 && !s->projected) {
         projection_of(&s->polygon, &what);

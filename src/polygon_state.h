@@ -16,8 +16,13 @@ struct psc_polygon_light {
                                         it is, but for a power of two */
     double height[PSC_MAX_VERTICES]; /* of the vertices above the receiver's plane, in the view */
     double area, solid_angle;        /* of the whole light */
+    double unit;                     /* the length of 1 in its fan */
     double volume;                   /* area times twice the height of the receiver above the
                                         light's plane, in units of the view */
+
+    /* A triangle whose view, height and volume were not needed, and what they are made of. */
+    int plain;
+    double position[3], corner[3][3];
 
     int turns_left;                  /* vertices run counterclockwise seen from the receiver */
 

@@ -10,7 +10,7 @@
 struct FN(psc_fans) {
     PSC_FAN_FIELDS(WAVE_NUMBER, WAVE_VECTOR)
     real pdf[PSC_BLOCK], total[PSC_BLOCK], unit[PSC_BLOCK];
-    real normal[3][PSC_BLOCK];
+    real normal[3][PSC_BLOCK], up[3][PSC_BLOCK];
     int32_t status[PSC_BLOCK];
 };
 
@@ -25,29 +25,20 @@ PSC_LANE void FN(build_element)(const struct psc_wave *wave, int has_normal, siz
     const double vertices[9] = {wave->geometry[0][i], wave->geometry[1][i], wave->geometry[2][i],
                                 wave->geometry[3][i], wave->geometry[4][i], wave->geometry[5][i],
                                 wave->geometry[6][i], wave->geometry[7][i], wave->geometry[8][i]};
-    struct psc_polygon_view view;
-    struct psc_triangle_words words;
-    struct psc_triangle_view seen;
+    const double square = dot(normal, normal), size = has_normal ? __builtin_sqrt(square) : 1.0;
+    struct psc_plain_triangle seen;
     struct psc_fan_f64 wide;
     struct FN(psc_fan) fan;
-    double scaled[3], up[3], height[3], length, total, finite;
-    int c, fit, hidden, extreme;
+    double length, total, inverse;
+    int c, fit, hidden, horizon = PSC_CASE_NO_HORIZON;
 
-    fit = see_polygon(position, 3, vertices, &view);
-    see_horizon(has_normal ? normal : NULL, &view, scaled, up, height);
-    triangle_words(&view, vertices, 0, 1, 2, &words);
-    extreme = see_lengths(&words, &seen);
-    see_ordinary_triangle(&words, &seen);
-    fan_build(&seen, &words.b, &words.edge_c, up, height[1], &wide);
+    fit = see_plain_triangle(position, vertices, &seen);
+    if (has_normal)
+        horizon = see_plain_horizon(&seen, normal, square, size);
+    fit &= horizon >= 0;
+    plain_fan(&seen, &wide);
     total = 2.0 * seen.half;
-    /* A NaN fails every comparison, infinity times 0 is one. */
-    finite = (dot(position, position) + dot(vertices, vertices)) +
-             (dot(vertices + 3, vertices + 3) + dot(vertices + 6, vertices + 6));
-    fit &= (finite * 0.0 + dot(normal, normal) * 0.0 == 0.0) & (total > 0.0);
-    fit &= !has_normal | (largest(normal) > 0.0);
-    fit &= !extreme;
-    hidden = (wave->facing == PSC_FACING_ONE) & !(height[0] > 0.0) & !(height[1] > 0.0) &
-             !(height[2] > 0.0);
+    hidden = (wave->facing == PSC_FACING_ONE) & (horizon == PSC_CASE_EMPTY);
     hidden |= wave->one_sided & (seen.volume > 0.0);
     to->status[i] = !fit ? PSC_PENDING : hidden ? PSC_EMPTY : PSC_SUCCESS;
 
@@ -60,10 +51,13 @@ PSC_LANE void FN(build_element)(const struct psc_wave *wave, int has_normal, siz
     PSC_FAN_FIELDS(WAVE_STORE_NUMBER, WAVE_STORE_VECTOR)
     to->pdf[i] = (real)(1.0 / total);
     to->total[i] = (real)total;
-    to->unit[i] = (real)(1.0 / view.scale);
-    length = 1.0 / seen.twice_area;
-    for (c = 0; c < 3; c++)
-        to->normal[c][i] = (real)((0.0 + seen.normal[c]) * length); /* no -0, as in a sum */
+    to->unit[i] = (real)seen.size_b;
+    length = __builtin_sqrt(dot(seen.normal, seen.normal));
+    inverse = 1.0 / (size * length);
+    for (c = 0; c < 3; c++) {
+        to->up[c][i] = (real)(normal[c] * (length * inverse));
+        to->normal[c][i] = (real)(seen.normal[c] * (size * inverse));
+    }
 }
 
 PSC_LANE void FN(load_fan)(const struct FN(psc_fans) *from, size_t i, struct FN(psc_fan) *fan)
@@ -74,6 +68,7 @@ PSC_LANE void FN(load_fan)(const struct FN(psc_fans) *from, size_t i, struct FN(
     fan->name[1] = from->name[1][i];     \
     fan->name[2] = from->name[2][i];
     PSC_FAN_FIELDS(WAVE_LOAD_NUMBER, WAVE_LOAD_VECTOR)
+    FN(plain_constants)(fan);
 }
 
 static void FN(build_around)(const struct psc_wave *restrict wave, struct FN(psc_fans) *restrict to)
@@ -106,6 +101,7 @@ static void FN(sample_elements)(const struct psc_wave *restrict wave,
     for (i = 0; i < n; i++) {
         struct FN(psc_fan) fan;
         struct FN(psc_spot) p;
+        const real up[3] = {f->up[0][i], f->up[1][i], f->up[2][i]};
         real direction[3];
 
         FN(load_fan)(f, i, &fan);
@@ -115,7 +111,7 @@ static void FN(sample_elements)(const struct psc_wave *restrict wave,
         r->value[1][i] = direction[1];
         r->value[2][i] = direction[2];
         r->value[PSC_PDF][i] = f->pdf[i];
-        r->value[PSC_WEIGHT][i] = f->total[i] * FN(fan_cosine)(facing, FN(fan_height)(&fan, &p));
+        r->value[PSC_WEIGHT][i] = f->total[i] * FN(fan_cosine)(facing, FN(fan_height)(up, direction));
         b[i] = p.b;
         a[i] = p.a;
         c[i] = p.c;
@@ -138,7 +134,7 @@ static void FN(sample_elements)(const struct psc_wave *restrict wave,
             face.edge_c[k] = (real)(wave->geometry[6 + k][i] - wave->geometry[3 + k][i]);
         }
         FN(load_fan)(f, i, &fan);
-        FN(fan_hit)(&fan, &p, share, share + 1, share + 2, &distance);
+        FN(plain_hit)(&fan, &p, share, share + 1, share + 2, &distance);
         FN(face_point)(&face, share[0], share[1], share[2], point, &first, &second);
         FN(store_surface)(r, i, point, normal, distance * f->unit[i], first, second);
     }

@@ -191,8 +191,8 @@ static inline void rectangle_fan(psc_sampler *s, const struct psc_rectangle_word
                                  const double *g, struct psc_fan_sums *sums)
 {
     struct psc_polygon_light *const l = &s->polygon;
-    const struct psc_fan_places at[2] = {{g, l->height[0], 1.0, 0.0, 0.0, 0.0, 1.0, 1.0},
-                                         {g, l->height[0], 1.0, 1.0, 0.0, 0.0, 0.0, 1.0}};
+    const struct psc_fan_places at[2] = {{g, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0},
+                                         {g, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0}};
     struct psc_fan_sums fan = NO_SUMS;
     struct psc_triangle_words words;
     int c;
@@ -233,6 +233,7 @@ PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *re
         return result;
     s->visibility = see_horizon(request->normal, &l->view, l->receiver, l->up, l->height);
     l->triangles = 0;
+    l->plain = 0;
     for (c = 0; c < 3; c++) {
         places.offset[0][c] = 0.0;
         places.offset[1][c] = g[3 + c];

@@ -48,8 +48,9 @@ _Static_assert(_Alignof(struct psc_sampler) <= _Alignof(psc_sampler_storage), "m
 /* The technique and receiver of a call, checked. */
 struct psc_request {
     psc_measure measure;
+    enum psc_facing facing; /* between these two, which would be copied by one load, before the two
+                               stores to them have left for memory */
     psc_map map;
-    enum psc_facing facing;
     const double *position;
     const double *normal; /* finite and not zero, or NULL */
     int one_sided;        /* whether the light leaves its surface on one side only */

@@ -168,13 +168,24 @@ static quad clamp(quad x, quad low, quad high)
     return x < low ? low : x > high ? high : x;
 }
 
+/* The far side at an angle from the beginning of triangle i, which may be in another, or the end
+   next to it. */
+static quad far_side_from(const struct reference_fan *f, int i, quad angle)
+{
+    for (; angle < 0 && i > 0; i--)
+        angle += f->corner[i - 1].end;
+    for (; angle > f->corner[i].end && i + 1 < f->corners; i++)
+        angle -= f->corner[i].end;
+    return far_side(&f->corner[i], clamp(angle, 0, f->corner[i].end));
+}
+
 void reference_in_fan(const struct reference_fan *f, const quad w[3], double turn, quad uv[2],
                          double open[2])
 {
     const struct reference_corner *c = f->corner;
     const quad length = reference_length(w);
     quad total = 0, before = 0, least = 8, angle = 0, a, b, across, versine, f0, f1, f2, step;
-    int i;
+    int i, found = 0;
 
     for (i = 0; i < f->corners; i++) {
         const struct reference_corner *k = &f->corner[i];
@@ -185,6 +196,7 @@ void reference_in_fan(const struct reference_fan *f, const quad w[3], double tur
         if (beyond < least) {
             least = beyond;
             c = k;
+            found = i;
             before = total;
             angle = at < 0 ? (past < -at ? k->end : 0) : past > 0 ? k->end : at;
         }
@@ -196,8 +208,8 @@ void reference_in_fan(const struct reference_fan *f, const quad w[3], double tur
     versine = b > 0 ? across * across / (1 + b) : 1 - b;
     step = across > turn ? turn / across : quad_pi();
     f0 = far_side(c, angle);
-    f1 = far_side(c, clamp(angle - step, 0, c->end));
-    f2 = far_side(c, clamp(angle + step, 0, c->end));
+    f1 = far_side_from(f, found, angle - step);
+    f2 = far_side_from(f, found, angle + step);
     uv[0] = (before + fan_integral(c, angle)) / total;
     uv[1] = versine / f0;
     open[0] = (double)(step * fmax(fmax((double)f0, (double)f1), (double)f2) / total);

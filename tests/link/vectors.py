@@ -27,7 +27,7 @@ LOOPS = [
     ("disk", r"(radial|concentric|parallel|area_\w+)_block_\w+", ()),
     ("disk", r"find_(whole|clipped)_\d+_f\d\d", ()),
     ("disk", r"place_(whole|clipped)(_brief)?_f\d\d", ()),
-    ("polygon", r"fan_block_f\d\d", ()),
+    ("polygon", r"(fan|plain)_block_f\d\d", ()),
     ("polygon", r"rectangle(_area)?_block_f\d\d", ()),
     ("polygon", r"rectangle(_area)?s_(around|above)_f\d\d", ("base",)),
     ("polygon", r"pdf_rectangle(_area)?", ("base",)),
@@ -37,7 +37,7 @@ LOOPS = [
     ("polygon", r"triangle_wave_f\d\d", ("base",)),
 ]
 # Those that a compiler may have inlined into what calls them.
-MAY_BE_MISSING = r"wave_(cone|projected)_directions|fan_block|triangle_wave"
+MAY_BE_MISSING = r"wave_(cone|projected)_directions|(fan|plain)_block|triangle_wave"
 DOUBLE_ONLY = r"pdf_|look_|invert_"
 
 ARITHMETIC = re.compile(r"v?(?:add|sub|mul|div|sqrt|fn?m(?:add|sub)\d+)(p|s)[sd]$")
