@@ -2,92 +2,102 @@
 /*
  * Wavefronts of triangles by solid angle: a loop in double that sees and builds a block of
  * elements, then loops that sample it. The lane functions are those of the calls for one, so the
- * bits are too. What is left to those: errors, lights without size, area, and other shapes.
+ * bits are too. What is left to those: errors, what takes exact products, area, and other shapes.
  * Template: see precision.h.
  */
-#define WAVE_NUMBER(name) real name[PSC_BLOCK];
-#define WAVE_VECTOR(name) real name[3][PSC_BLOCK];
+
+/* Constants of a block, of those that vary: the second lot is for hits on the light alone. */
 struct FN(psc_fans) {
-    PSC_FAN_FIELDS(WAVE_NUMBER, WAVE_VECTOR)
-    real pdf[PSC_BLOCK], total[PSC_BLOCK], unit[PSC_BLOCK];
-    real normal[3][PSC_BLOCK], up[3][PSC_BLOCK];
+    real half[PSC_BLOCK], cos_a[PSC_BLOCK], near[PSC_BLOCK], far[PSC_BLOCK];
+    real b[3][PSC_BLOCK], toward_a[3][PSC_BLOCK], toward_c[3][PSC_BLOCK], up[3][PSC_BLOCK];
+    real pdf[PSC_BLOCK], total[PSC_BLOCK];
     int32_t status[PSC_BLOCK];
+
+    real share_a[PSC_BLOCK], share_c[PSC_BLOCK], slant[PSC_BLOCK], cos_ab[PSC_BLOCK];
+    real cos_bc[PSC_BLOCK], per_a[PSC_BLOCK], per_c[PSC_BLOCK], unit[PSC_BLOCK];
+    real normal[3][PSC_BLOCK];
 };
 
-/* Element i: what becomes of it, and its constants. */
-PSC_LANE void FN(build_element)(const struct psc_wave *wave, int has_normal, size_t i,
-                                struct FN(psc_fans) *to)
+PSC_LANE void load_triangle(const struct psc_wave *wave, size_t i, double position[3],
+                            double vertices[9])
 {
-    const double position[3] = {wave->position[0][i], wave->position[1][i], wave->position[2][i]};
-    const double normal[3] = {has_normal ? wave->normal[0][i] : 0.0,
-                              has_normal ? wave->normal[1][i] : 0.0,
-                              has_normal ? wave->normal[2][i] : 0.0};
-    const double vertices[9] = {wave->geometry[0][i], wave->geometry[1][i], wave->geometry[2][i],
-                                wave->geometry[3][i], wave->geometry[4][i], wave->geometry[5][i],
-                                wave->geometry[6][i], wave->geometry[7][i], wave->geometry[8][i]};
-    const double square = dot(normal, normal), size = has_normal ? __builtin_sqrt(square) : 1.0;
+    int k;
+
+    PSC_UNROLL
+    for (k = 0; k < 3; k++)
+        position[k] = wave->position[k][i];
+    PSC_UNROLL
+    for (k = 0; k < 9; k++)
+        vertices[k] = wave->geometry[k][i];
+}
+
+/* Element i: what becomes of it, and its constants. Whether the receiver sees anything of the light
+   above its plane is not looked at yet. */
+PSC_LANE void FN(build_element)(const struct psc_wave *wave, int one_sided, int has_normal,
+                                int surface, size_t i, struct FN(psc_fans) *to)
+{
     struct psc_plain_triangle seen;
     struct psc_fan_f64 wide;
     struct FN(psc_fan) fan;
-    double length, total, inverse;
-    int c, fit, hidden, horizon = PSC_CASE_NO_HORIZON;
+    double position[3], vertices[9], normal[3], square = 1.0, length, inverse;
+    int c, fit, hidden;
 
+    load_triangle(wave, i, position, vertices);
+    for (c = 0; c < 3; c++)
+        normal[c] = has_normal ? wave->normal[c][i] : 0.0;
     fit = see_plain_triangle(position, vertices, &seen);
-    if (has_normal)
-        horizon = see_plain_horizon(&seen, normal, square, size);
-    fit &= horizon >= 0;
-    plain_fan(&seen, &wide);
-    total = 2.0 * seen.half;
-    hidden = (wave->facing == PSC_FACING_ONE) & (horizon == PSC_CASE_EMPTY);
-    hidden |= wave->one_sided & (seen.volume > 0.0);
-    to->status[i] = !fit ? PSC_PENDING : hidden ? PSC_EMPTY : PSC_SUCCESS;
-
-    fan = FAN_OF(&wide);
-#define WAVE_STORE_NUMBER(name) to->name[i] = fan.name;
-#define WAVE_STORE_VECTOR(name)          \
-    to->name[0][i] = fan.name[0];        \
-    to->name[1][i] = fan.name[1];        \
-    to->name[2][i] = fan.name[2];
-    PSC_FAN_FIELDS(WAVE_STORE_NUMBER, WAVE_STORE_VECTOR)
-    to->pdf[i] = (real)(1.0 / total);
-    to->total[i] = (real)total;
-    to->unit[i] = (real)seen.size_b;
-    length = __builtin_sqrt(dot(seen.normal, seen.normal));
-    inverse = 1.0 / (size * length);
-    for (c = 0; c < 3; c++) {
-        to->up[c][i] = (real)(normal[c] * (length * inverse));
-        to->normal[c][i] = (real)(seen.normal[c] * (size * inverse));
+    if (has_normal) {
+        square = dot(normal, normal);
+        fit &= is_plain_normal(square);
     }
+    hidden = one_sided & (seen.volume > 0.0);
+    to->status[i] = !fit ? PSC_PENDING : hidden ? PSC_EMPTY : PSC_SUCCESS;
+    plain_fan(&seen, &wide);
+    fan = FAN_OF(&wide);
+    to->half[i] = fan.half;
+    to->cos_a[i] = fan.cos_a;
+    to->near[i] = fan.near;
+    to->far[i] = fan.far;
+    to->total[i] = (real)(2.0 * seen.half);
+    to->pdf[i] = (real)(1.0 / (2.0 * seen.half));
+    length = __builtin_sqrt(dot(seen.normal, seen.normal));
+    inverse = 1.0 / (__builtin_sqrt(square) * length);
+    for (c = 0; c < 3; c++) {
+        to->b[c][i] = fan.b[c];
+        to->toward_a[c][i] = fan.toward_a[c];
+        to->toward_c[c][i] = fan.toward_c[c];
+        to->up[c][i] = (real)(normal[c] * (length * inverse));
+    }
+    if (!surface)
+        return;
+    to->share_a[i] = fan.share_a;
+    to->share_c[i] = fan.share_c;
+    to->slant[i] = fan.slant;
+    to->cos_ab[i] = fan.cos_ab;
+    to->cos_bc[i] = fan.cos_bc;
+    to->per_a[i] = fan.per_a;
+    to->per_c[i] = fan.per_c;
+    to->unit[i] = (real)seen.size_b;
+    for (c = 0; c < 3; c++)
+        to->normal[c][i] = (real)(seen.normal[c] * (__builtin_sqrt(square) * inverse));
 }
 
-PSC_LANE void FN(load_fan)(const struct FN(psc_fans) *from, size_t i, struct FN(psc_fan) *fan)
-{
-#define WAVE_LOAD_NUMBER(name) fan->name = from->name[i];
-#define WAVE_LOAD_VECTOR(name)           \
-    fan->name[0] = from->name[0][i];     \
-    fan->name[1] = from->name[1][i];     \
-    fan->name[2] = from->name[2][i];
-    PSC_FAN_FIELDS(WAVE_LOAD_NUMBER, WAVE_LOAD_VECTOR)
-    FN(plain_constants)(fan);
-}
-
-static void FN(build_around)(const struct psc_wave *restrict wave, struct FN(psc_fans) *restrict to)
-{
-    const size_t n = wave->count;
-    size_t i;
-
-    for (i = 0; i < n; i++)
-        FN(build_element)(wave, 0, i, to);
-}
-
-static void FN(build_above)(const struct psc_wave *restrict wave, struct FN(psc_fans) *restrict to)
-{
-    const size_t n = wave->count;
-    size_t i;
-
-    for (i = 0; i < n; i++)
-        FN(build_element)(wave, 1, i, to);
-}
+/* One loop for each of what there is and what is wanted. */
+#define BUILD_LOOP(name, has_normal, surface)                                                  \
+    static void FN(name)(const struct psc_wave *restrict wave, struct FN(psc_fans) *restrict to) \
+    {                                                                                          \
+        const int one_sided = wave->one_sided;                                                 \
+        const size_t n = wave->count;                                                          \
+        size_t i;                                                                              \
+                                                                                               \
+        for (i = 0; i < n; i++)                                                                \
+            FN(build_element)(wave, one_sided, has_normal, surface, i, to);                    \
+    }
+BUILD_LOOP(build_around, 0, 0)
+BUILD_LOOP(build_above, 1, 0)
+BUILD_LOOP(build_around_whole, 0, 1)
+BUILD_LOOP(build_above_whole, 1, 1)
+#undef BUILD_LOOP
 
 static void FN(sample_elements)(const struct psc_wave *restrict wave,
                                 const struct FN(psc_fans) *restrict f, const real *restrict u,
@@ -101,23 +111,39 @@ static void FN(sample_elements)(const struct psc_wave *restrict wave,
     for (i = 0; i < n; i++) {
         struct FN(psc_fan) fan;
         struct FN(psc_spot) p;
-        const real up[3] = {f->up[0][i], f->up[1][i], f->up[2][i]};
         real direction[3];
+        int k;
 
-        FN(load_fan)(f, i, &fan);
+        fan.half = f->half[i];
+        fan.cos_a = f->cos_a[i];
+        fan.near = f->near[i];
+        fan.far = f->far[i];
+        PSC_UNROLL
+        for (k = 0; k < 3; k++) {
+            fan.b[k] = f->b[k][i];
+            fan.toward_a[k] = f->toward_a[k][i];
+            fan.toward_c[k] = f->toward_c[k][i];
+        }
+        FN(plain_constants)(&fan);
         FN(fan_map)(&fan, u[i], v[i], &p);
         FN(fan_direction)(&fan, &p, direction);
         r->value[0][i] = direction[0];
         r->value[1][i] = direction[1];
         r->value[2][i] = direction[2];
-        r->value[PSC_PDF][i] = f->pdf[i];
-        r->value[PSC_WEIGHT][i] = f->total[i] * FN(fan_cosine)(facing, FN(fan_height)(up, direction));
         b[i] = p.b;
         a[i] = p.a;
         c[i] = p.c;
     }
+    for (i = 0; i < n; i++) {
+        const real direction[3] = {r->value[0][i], r->value[1][i], r->value[2][i]};
+        const real up[3] = {f->up[0][i], f->up[1][i], f->up[2][i]};
+        const real height = FN(fan_height)(up, direction);
+
+        r->value[PSC_PDF][i] = f->pdf[i];
+        r->value[PSC_WEIGHT][i] = f->total[i] * FN(fan_cosine)(facing, height);
+    }
     for (i = 0; i < n; i++)
-        r->status[i] = f->status[i] != PSC_SUCCESS               ? f->status[i]
+        r->status[i] = f->status[i] != PSC_SUCCESS        ? f->status[i]
                        : r->value[PSC_WEIGHT][i] > K(0.0) ? PSC_SUCCESS
                                                           : PSC_CULLED;
     for (i = 0; wave->surface && i < n; i++) {
@@ -133,11 +159,42 @@ static void FN(sample_elements)(const struct psc_wave *restrict wave,
             face.edge_a[k] = (real)(wave->geometry[k][i] - wave->geometry[3 + k][i]);
             face.edge_c[k] = (real)(wave->geometry[6 + k][i] - wave->geometry[3 + k][i]);
         }
-        FN(load_fan)(f, i, &fan);
+        fan.share_a = f->share_a[i];
+        fan.share_c = f->share_c[i];
+        fan.slant = f->slant[i];
+        fan.cos_ab = f->cos_ab[i];
+        fan.cos_bc = f->cos_bc[i];
+        fan.per_a = f->per_a[i];
+        fan.per_c = f->per_c[i];
         FN(plain_hit)(&fan, &p, share, share + 1, share + 2, &distance);
         FN(face_point)(&face, share[0], share[1], share[2], point, &first, &second);
         FN(store_surface)(r, i, point, normal, distance * f->unit[i], first, second);
     }
+}
+
+/* Which lights are wholly below the plane. */
+static void FN(find_hidden)(const struct psc_wave *restrict wave, struct FN(psc_results) *restrict r)
+{
+    const size_t n = wave->count;
+    double where[PSC_BLOCK];
+    size_t i;
+
+    for (i = 0; i < n; i++) {
+        const double normal[3] = {wave->normal[0][i], wave->normal[1][i], wave->normal[2][i]};
+        double position[3], vertices[9], a[3], b[3], c[3], size;
+
+        load_triangle(wave, i, position, vertices);
+        subtract3(vertices, position, a);
+        subtract3(vertices + 3, position, b);
+        subtract3(vertices + 6, position, c);
+        size = __builtin_sqrt(dot(normal, normal) * ((dot(a, a) + dot(b, b)) + dot(c, c)));
+        where[i] = see_plain_horizon(a, b, c, normal, size);
+    }
+    for (i = 0; i < n; i++)
+        if (r->status[i] == PSC_SUCCESS || r->status[i] == PSC_CULLED)
+            r->status[i] = where[i] < 0.0                ? PSC_PENDING
+                           : where[i] == PSC_CASE_EMPTY ? PSC_EMPTY
+                                                        : r->status[i];
 }
 
 /* Leaves a block to the calls for one. */
@@ -155,14 +212,23 @@ static void FN(triangle_wave)(const struct psc_wave *wave, const real *u, const 
                               struct FN(psc_results) *r)
 {
     struct FN(psc_fans) fans;
+    int32_t low = 0;
+    size_t i;
 
     if (wave->measure != PSC_MEASURE_SOLID_ANGLE) {
         FN(pending_wave)(wave, u, v, r);
         return;
     }
     if (wave->facing == PSC_FACING_NONE)
-        FN(build_around)(wave, &fans);
+        (wave->surface ? FN(build_around_whole) : FN(build_around))(wave, &fans);
     else
-        FN(build_above)(wave, &fans);
+        (wave->surface ? FN(build_above_whole) : FN(build_above))(wave, &fans);
     FN(sample_elements)(wave, &fans, u, v, r);
+    if (wave->facing != PSC_FACING_ONE)
+        return;
+    /* What rounding may have put above the plane is still next to it. */
+    for (i = 0; i < wave->count; i++)
+        low |= !(r->value[PSC_WEIGHT][i] > K(0x1p-18) * fans.total[i]);
+    if (low)
+        FN(find_hidden)(wave, r);
 }

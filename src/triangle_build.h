@@ -33,6 +33,16 @@ static psc_result exact_triangle_build(psc_sampler *s, const struct psc_request 
     return polygon_finish(s, request, &sums, -1.0, &places);
 }
 
+/* Where a triangle lies to a plane that rounding may have put a vertex on either side of. */
+static int see_exact_horizon(const struct psc_request *request, const double *vertices)
+{
+    struct psc_polygon_view view;
+    double normal[3], up[3], height[PSC_MAX_VERTICES];
+
+    see_polygon(request->position, 3, vertices, &view);
+    return (int)see_horizon(request->normal, &view, normal, up, height);
+}
+
 /* The vertices may be where the light keeps them. */
 PSC_LANE psc_result triangle_build(psc_sampler *s, const struct psc_request *request,
                                    const double *vertices)
@@ -48,10 +58,13 @@ PSC_LANE psc_result triangle_build(psc_sampler *s, const struct psc_request *req
     if (request->normal) {
         const double square = dot(request->normal, request->normal);
 
-        size = SQRT(square);
-        seen = see_plain_horizon(&o, request->normal, square, size);
-        if (seen < 0)
+        if (!is_plain_normal(square))
             return exact_triangle_build(s, request, vertices);
+        size = SQRT(square);
+        seen = (int)see_plain_horizon(o.a, o.b, o.c, request->normal,
+                                 size * ((o.size_a + o.size_b) + o.size_c));
+        if (seen < 0)
+            seen = see_exact_horizon(request, vertices);
     }
     s->visibility = (psc_case)seen;
     if ((request->one_sided && o.volume > 0.0) ||

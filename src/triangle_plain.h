@@ -82,23 +82,28 @@ PSC_LANE int see_plain_triangle(const double position[3], const double *vertices
            (o->a2 + o->b2) + o->c2 < 0x1p320;
 }
 
-/* Where the triangle lies to the plane of a receiver with this normal, whose length has that square:
-   a psc_case, or -1 where rounding would decide. */
-PSC_LANE int see_plain_horizon(const struct psc_plain_triangle *o, const double normal[3],
-                               double square, double size)
+/* Whether the square of a normal's length leaves room for that of a product with it. */
+PSC_LANE int is_plain_normal(double square)
 {
-    const double a = dot(normal, o->a), b = dot(normal, o->b), c = dot(normal, o->c);
-    const double slack = 0x1p-49 * (size * ((o->size_a + o->size_b) + o->size_c));
-    const double ab_low = MIN(a, b), low = MIN(ab_low, c), ab_high = MAX(a, b);
-    const double high = MAX(ab_high, c), ab_near = MIN(ABS(a), ABS(b));
-    const double near = MIN(ab_near, ABS(c));
-    const int fair = square > 0x1p-320 && square < 0x1p320;
+    return square > 0x1p-320 && square < 0x1p320;
+}
 
-    return !fair           ? -1
-           : low > slack   ? PSC_CASE_ABOVE
-           : high < -slack ? PSC_CASE_EMPTY
-           : near > slack  ? PSC_CASE_CLIPPED
-                           : -1;
+/* Where a triangle lies to the plane of a receiver: a psc_case, or -1 where rounding would decide,
+   both as numbers that loops over doubles may choose from.
+   size: at least the product of the lengths of the normal and of any of the vertices. */
+PSC_LANE double see_plain_horizon(const double a[3], const double b[3], const double c[3],
+                               const double normal[3], double size)
+{
+    const double at_a = dot(normal, a), at_b = dot(normal, b), at_c = dot(normal, c);
+    const double slack = 0x1p-49 * size;
+    const double low_ab = MIN(at_a, at_b), low = MIN(low_ab, at_c);
+    const double high_ab = MAX(at_a, at_b), high = MAX(high_ab, at_c);
+    const double near_ab = MIN(ABS(at_a), ABS(at_b)), near = MIN(near_ab, ABS(at_c));
+
+    return low > slack     ? (double)PSC_CASE_ABOVE
+           : high < -slack ? (double)PSC_CASE_EMPTY
+           : near > slack  ? (double)PSC_CASE_CLIPPED
+                           : -1.0;
 }
 
 /* The constants of the map in units of |b|: as only ratios count, sin alpha and half the sine of

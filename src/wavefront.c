@@ -2,6 +2,11 @@
 /* One build and one sample per element, in both precisions. */
 #include "checks.h"
 
+static inline int is_sampled(psc_result status)
+{
+    return (status == PSC_SUCCESS) | (status == PSC_CULLED);
+}
+
 #define PSC_BITS 64
 #include "precision.h"
 #include "input_tmpl.h"

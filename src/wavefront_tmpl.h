@@ -34,6 +34,17 @@ static void FN(build_and_sample)(const struct psc_shape_row *shape, uint32_t fla
         r->value[c][i] = flat[c];
 }
 
+/* How many elements have a sample. */
+static size_t FN(count_sampled)(const psc_result *status, size_t n)
+{
+    int32_t count = 0;
+    size_t i;
+
+    for (i = 0; i < n; i++)
+        count += is_sampled(status[i]);
+    return (size_t)count;
+}
+
 static psc_result FN(check_wavefront)(const struct psc_shape_row *shape, const char *kinds,
                                       const psc_technique *technique,
                                       const FN(psc_receivers) *receivers,
@@ -82,7 +93,7 @@ psc_result FN(psc_wavefront)(const struct psc_shape_row *shape, const char *kind
     struct psc_request request;
     uint32_t index[PSC_BLOCK];
     psc_sampler_storage storage;
-    psc_sampler *sampler;
+    psc_sampler *sampler = NULL; /* for elements that the kernel leaves to it */
     struct psc_wave wave;
     size_t first, i, block;
     int k;
@@ -91,7 +102,6 @@ psc_result FN(psc_wavefront)(const struct psc_shape_row *shape, const char *kind
 
     if (result != PSC_SUCCESS)
         return result;
-    psc_sampler_init(&storage, sizeof storage, &sampler);
     memset(wave.normal, 0, sizeof wave.normal);
     wave.measure = request.measure;
     wave.map = request.map;
@@ -105,7 +115,7 @@ psc_result FN(psc_wavefront)(const struct psc_shape_row *shape, const char *kind
     wave.surface = FN(wants_surface)(out);
     for (first = 0; first < count; first += wave.count) {
         const size_t n = MIN(count - first, block);
-        size_t good = 0;
+        size_t good;
         int p, c, number = 0;
 
         wave.count = n;
@@ -122,12 +132,20 @@ psc_result FN(psc_wavefront)(const struct psc_shape_row *shape, const char *kind
 
         if (kernel->wave)
             kernel->wave(&wave, u, v, &results);
-        for (i = 0; i < n; i++) {
-            if (!kernel->wave || results.status[i] == PSC_PENDING)
-                FN(build_and_sample)(shape, receivers->flags, &wave, i, u[i], v[i], sampler,
-                                     &results);
-            if (results.status[i] == PSC_SUCCESS || results.status[i] == PSC_CULLED)
-                index[good++] = (uint32_t)i;
+        else
+            for (i = 0; i < n; i++)
+                results.status[i] = PSC_PENDING;
+        good = FN(count_sampled)(results.status, n);
+        if (good < n) { /* most blocks are done, and need neither sampler nor index */
+            if (!sampler)
+                psc_sampler_init(&storage, sizeof storage, &sampler);
+            for (good = 0, i = 0; i < n; i++) {
+                if (results.status[i] == PSC_PENDING)
+                    FN(build_and_sample)(shape, receivers->flags, &wave, i, u[i], v[i], sampler,
+                                         &results);
+                index[good] = (uint32_t)i;
+                good += (size_t)is_sampled(results.status[i]);
+            }
         }
         FN(scatter_status)(&out->status, results.status, first, NULL, n);
         FN(scatter_values)(out, &results, first, index, good == n ? NULL : index, good);
