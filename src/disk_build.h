@@ -19,12 +19,17 @@
 
 #include "fibre_build.h"
 
+/* What rules of interpolation are chosen by. */
+PSC_LANE double rule_quotient(enum psc_disk_map map, double ca, double cb)
+{
+    return map == PSC_DISK_PARALLEL || !(cb > 0.0) ? ca : ca / cb;
+}
+
 /* The rules of interpolation of a cone by its map. */
-#define RULE_AT_LEAST(i, m, steps, least) least_of >= (least) ? (i) :
+#define RULE_AT_LEAST(i, m, steps, least) quotient >= (least) ? (i) :
 static inline void choose_rules(struct psc_disk_light *d)
 {
-    const double ca = d->seen.ca, cb = d->seen.cb;
-    const double least_of = d->map == PSC_DISK_PARALLEL ? ca : cb > 0.0 ? ca / cb : 1.0;
+    const double quotient = rule_quotient(d->map, d->seen.ca, d->seen.cb);
 
     if (d->map == PSC_DISK_PARALLEL) {
         d->rule_f64 = PSC_SPAN_RULES_F64(RULE_AT_LEAST) -1;
@@ -122,8 +127,8 @@ static inline void half_space_fit(struct psc_disk_light *d)
     d->cdf.terms = 1;
 }
 
-/* By psc_map. */
-static inline enum psc_disk_map disk_map_of(const psc_sampler *s)
+/* By psc_map; inside an ellipsoid there is one for all measures. */
+static inline enum psc_disk_map disk_map_of(psc_measure measure, psc_map map, int inside)
 {
     static const enum psc_disk_map
         solid_angle[] = {PSC_DISK_RADIAL, PSC_DISK_PARALLEL, PSC_DISK_CONCENTRIC,
@@ -132,9 +137,9 @@ static inline enum psc_disk_map disk_map_of(const psc_sampler *s)
         around[] = {PSC_DISK_AROUND_RADIAL, PSC_DISK_AROUND_PARALLEL, PSC_DISK_AROUND_CONCENTRIC,
                     PSC_DISK_AROUND_RADIAL, PSC_DISK_AROUND_RADIAL};
 
-    return (s->disk.inside                    ? around
-            : s->measure == PSC_MEASURE_AREA ? area
-                                             : solid_angle)[s->map];
+    return (inside                        ? around
+            : measure == PSC_MEASURE_AREA ? area
+                                          : solid_angle)[map];
 }
 
 /* The map of a cone that is seen, and its total. */
@@ -145,7 +150,7 @@ static inline void disk_head(psc_sampler *s, const psc_table *table)
 
     s->sides = 1;
     memcpy(d->axis, d->seen.z, sizeof d->axis);
-    d->map = disk_map_of(s);
+    d->map = disk_map_of(s->measure, s->map, d->inside);
     if (d->map == PSC_DISK_TABULATED)
         table_choose(d, table);
     s->total = d->inside ? 4.0 * PSC_PI : area ? d->area : ellipse_total(&d->seen);

@@ -10,7 +10,7 @@
 #define SPAN_RULES PSC_SPAN_RULES_F64
 #define DISK_RULE(d) ((d)->rule_f64)
 #define DISK_FIT(d) ((d)->fit_f64)
-#define AREA_FITS(d) 1
+#define AREA_LEAST (-1.0)
 #define DISK_TERMS PSC_MOST_TERMS_F64
 #define DISK_RULE_TABLE(m) psc_rule_f64_##m
 #else
@@ -21,8 +21,9 @@
 #define DISK_TERMS PSC_MOST_TERMS_F32
 #define DISK_RULE_TABLE(m) psc_rule_f32_##m
 /* Squares of distances in units of the light's size must be numbers. */
-#define AREA_FITS(d) ((d)->seen.ca > 1e-12)
+#define AREA_LEAST 1e-12
 #endif
+#define AREA_FITS(d) ((d)->seen.ca > AREA_LEAST)
 
 static void FN(round_point)(const struct psc_disk_point_f64 *wide, struct FN(psc_disk_point) *p)
 {

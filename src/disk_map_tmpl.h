@@ -31,11 +31,12 @@ struct FN(psc_disk_world) {
     enum psc_disk_hit hit;
 };
 
-PSC_LANE void FN(disk_world)(const psc_sampler *s, struct FN(psc_disk_world) *w)
+/* What follows from the cone, how far the light is and the total of the measure. */
+PSC_LANE void FN(cone_world)(const struct psc_ellipse *e, double reach, double total,
+                             double inverse_total, struct FN(psc_disk_world) *w)
 {
-    const struct psc_disk_light *d = &s->disk;
-    const struct psc_ellipse *e = &d->seen;
-    int i, k;
+    const double scale = ellipse_quasi_scale(e), per_cb = e->ca / e->cb;
+    int i;
 
     w->a = (real)e->a;
     w->ca = (real)e->ca;
@@ -45,18 +46,31 @@ PSC_LANE void FN(disk_world)(const psc_sampler *s, struct FN(psc_disk_world) *w)
     w->cb2 = (real)(e->cb * e->cb);
     w->mu1 = (real)ellipse_mu1(e->ca, e->cb);
     w->mu2 = (real)ellipse_mu2(e->ca, e->cb);
-    w->quasi_scale = (real)ellipse_quasi_scale(e);
-    w->inverse_quasi_scale = (real)(1.0 / ellipse_quasi_scale(e));
+    w->quasi_scale = (real)scale;
+    w->inverse_quasi_scale = (real)(1.0 / scale);
     w->per_at = (real)(e->ca / e->a);
     w->per_bt = (real)(e->cb / e->b);
+    w->reach = (real)reach;
+    w->total = (real)total;
+    w->inverse_total = (real)inverse_total;
+    w->flat_b = (real)(per_cb * e->b);
+    w->area_scale = (real)(PSC_PI * e->a * e->b * per_cb * e->ca);
+    w->area_reach = (real)(reach / e->ca);
+    for (i = 0; i < 3; i++) {
+        w->x[i] = (real)e->x[i];
+        w->y[i] = (real)e->y[i];
+        w->z[i] = (real)e->z[i];
+    }
+}
+
+PSC_LANE void FN(disk_world)(const psc_sampler *s, struct FN(psc_disk_world) *w)
+{
+    const struct psc_disk_light *d = &s->disk;
+    int i, k;
+
+    FN(cone_world)(&d->seen, d->reach, s->total, s->inverse_total, w);
     w->near = (real)d->near;
     w->far = (real)d->far;
-    w->reach = (real)d->reach;
-    w->total = (real)s->total;
-    w->inverse_total = (real)s->inverse_total;
-    w->flat_b = (real)(e->ca * e->b / e->cb);
-    w->area_scale = (real)(PSC_PI * e->a * e->b * e->ca / e->cb * e->ca);
-    w->area_reach = (real)(d->reach / e->ca);
     w->far_off = (real)d->far_off;
     w->beyond = (real)d->beyond;
     w->unit = (real)d->unit;
@@ -71,9 +85,6 @@ PSC_LANE void FN(disk_world)(const psc_sampler *s, struct FN(psc_disk_world) *w)
             w->across[k][i] = (real)d->across[k][i];
     }
     for (i = 0; i < 3; i++) {
-        w->x[i] = (real)e->x[i];
-        w->y[i] = (real)e->y[i];
-        w->z[i] = (real)e->z[i];
         w->axis[i] = (real)d->axis[i];
         w->center[i] = (real)d->center[i];
         w->normal[i] = (real)d->normal[i];

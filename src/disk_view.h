@@ -7,6 +7,7 @@
 #include <math.h>
 
 #include "disk_horizon.h"
+#include "disk_look.h"
 #include "sampler.h"
 
 static inline void disk_clear(struct psc_disk_light *d, const struct psc_request *request)
@@ -19,14 +20,8 @@ static inline void disk_clear(struct psc_disk_light *d, const struct psc_request
     d->cdf.terms = 0;
     for (i = 0; i < 3; i++)
         d->receiver[i] = 0.0;
-    if (request->normal) {
-        double length;
-
-        scale_to_one(request->normal, d->receiver);
-        length = 1.0 / SQRT(dot(d->receiver, d->receiver));
-        for (i = 0; i < 3; i++)
-            d->receiver[i] *= length;
-    }
+    if (request->normal)
+        unit_normal(request->normal, d->receiver);
 }
 
 /* Whether anything is above the horizon, and how it lies: middle is the height of the centre,
@@ -40,23 +35,27 @@ static inline psc_case horizon_case(enum psc_facing facing, double middle, doubl
     return middle >= reach ? PSC_CASE_ABOVE : middle > -reach ? PSC_CASE_CLIPPED : PSC_CASE_EMPTY;
 }
 
+/* An outline in units of `unit`. */
+static inline void take_outline(struct psc_disk_light *d, const struct psc_outline *o, double unit)
+{
+    d->seen = o->seen;
+    d->near = o->near;
+    d->far = o->far;
+    d->reach = o->reach * unit;
+    memcpy(d->turn, o->turn, sizeof d->turn);
+    memcpy(d->side, o->side, sizeof d->side);
+}
+
 /* The light's side of an outline, in the caller's lengths; axes are the light's. */
 static inline void disk_outline(struct psc_disk_light *d, const struct psc_outline *o,
                                 const double axes[2][3], double unit)
 {
     int i, k;
 
-    d->seen = o->seen;
-    d->near = o->near;
-    d->far = o->far;
-    d->reach = o->reach * unit;
-    for (k = 0; k < 2; k++) {
-        d->turn[k] = o->turn[k];
-        for (i = 0; i < 2; i++)
-            d->side[k][i] = o->side[k][i];
+    take_outline(d, o, unit);
+    for (k = 0; k < 2; k++)
         for (i = 0; i < 3; i++)
             d->across[k][i] = o->side[k][0] * axes[0][i] + o->side[k][1] * axes[1][i];
-    }
 }
 
 /* The height of the light above the receiver's horizon for axes of a flat or solid light. */
@@ -102,39 +101,43 @@ static inline psc_result disk_see(psc_sampler *s, const struct psc_request *requ
 {
     struct psc_disk_light *d = &s->disk;
     const double radius = geometry[6];
-    double normal[3], axes[2][3], high[3], scale, facing;
-    struct psc_wide offset[3];
-    struct psc_outline o;
-    int i, k, seen;
+    struct psc_disk_look o;
+    double rough[3];
+    int i, k;
 
     disk_clear(d, request);
     if (largest(geometry + 3) == 0.0)
         return PSC_ERROR_ZERO_VECTOR;
     if (radius < 0.0)
         return PSC_ERROR_NEGATIVE_SIZE;
-    d->area = PSC_PI * (radius * radius);
+    d->area = disk_area(radius);
     if (radius == 0.0)
         return PSC_EMPTY;
     for (i = 0; i < 3; i++)
-        high[i] = geometry[i] - request->position[i];
-    if (!is_finite3(high))
+        rough[i] = geometry[i] - request->position[i];
+    if (!is_finite3(rough))
         return PSC_ERROR_NOT_FINITE;
-    scale = unit_scale(MAX(largest(high), radius));
-    see_offset(request->position, geometry, scale, offset);
-    scale_to_one(geometry + 3, normal);
-    seen = see_disk(offset, normal, radius * scale, axes, &o, &facing);
-    if (!seen || (request->one_sided && facing > 0.0))
+    look_at_disk(request->position, geometry, &o);
+    if (!(o.seen > 0.0) || (request->one_sided && o.facing > 0.0))
         return PSC_EMPTY;
     if (request->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE) {
-        scale_to_one(request->normal, high);
-        disk_horizon(offset, normal, radius * scale, &o, high, &d->horizon);
+        scale_to_one(request->normal, rough);
+        disk_horizon(o.offset, o.normal, o.radius, &o.outline, rough, &d->horizon);
     }
-    cross_rounded(axes[0], axes[1], d->normal);
+    s->visibility = PSC_CASE_NO_HORIZON;
+    if (request->facing != PSC_FACING_NONE) {
+        look_at_horizon(request->normal, request->facing == PSC_FACING_BOTH, &o);
+        s->visibility = horizon_case(request->facing, o.middle, o.reach);
+    }
+    if (s->visibility == PSC_CASE_EMPTY)
+        return PSC_EMPTY;
+    memcpy(d->center, geometry, sizeof d->center);
+    memcpy(d->normal, o.outward, sizeof d->normal);
+    take_outline(d, &o.outline, o.unit);
     for (k = 0; k < 2; k++)
         for (i = 0; i < 3; i++)
-            axes[k][i] *= radius * scale;
-    memcpy(d->center, geometry, sizeof d->center);
-    return flat_see(s, request, offset, (const double(*)[3])axes, scale, &o);
+            d->across[k][i] = disk_across(&o, radius, k, i);
+    return PSC_SUCCESS;
 }
 
 /* The centre as seen from the receiver, and the semi-axes that follow it in the geometry, in units

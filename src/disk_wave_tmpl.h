@@ -1,228 +1,309 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Wavefronts of lights that are seen as an elliptic cone. Each element is seen on its own; those
- * with a rule of interpolation are sorted by it, and fitted and sampled in loops over many. The
- * lane functions are those of the calls for one, so the bits are too. Errors, and the tabulated map,
- * are left to the calls for one. Template: see precision.h.
+ * Wavefronts of lights that are seen as an elliptic cone: all elements of a block are seen, then
+ * those with the same rule of interpolation are packed, fitted and sampled together, then all are
+ * finished. The lane functions are those of the calls for one, so the bits are too. Errors, and
+ * what has no rule, are left to the calls for one. Template: see precision.h.
  */
+#include "disk_views_tmpl.h"
 
-/* The elements of one rule, packed. */
+/* The elements of one rule, packed: few at a time, so that all of it is near. */
+#define FIT_BLOCK 32
+
 struct FN(psc_fits) {
-    real ca2[PSC_BLOCK], cb2[PSC_BLOCK], bend[PSC_BLOCK], mu1[PSC_BLOCK];
-    real a[PSC_BLOCK], b[PSC_BLOCK], u[PSC_BLOCK], v[PSC_BLOCK];
-    real work[4 * DISK_TERMS * PSC_BLOCK], series[DISK_TERMS * PSC_BLOCK];
-    real fit[3 * DISK_TERMS * PSC_BLOCK];
+    real ca[FIT_BLOCK], cb[FIT_BLOCK], ca2[FIT_BLOCK], cb2[FIT_BLOCK];
+    real bend[FIT_BLOCK], mu1[FIT_BLOCK], a[FIT_BLOCK], b[FIT_BLOCK], u[FIT_BLOCK], v[FIT_BLOCK];
+    real work[4 * DISK_TERMS * FIT_BLOCK], series[DISK_TERMS * FIT_BLOCK];
+    real fit[3 * DISK_TERMS * FIT_BLOCK];
     struct FN(psc_disk_points) points;
 };
 
-#define RULE_LOOP(i, m, steps, least)                                                              \
-    static void FN(fit_and_sample_##m)(struct FN(psc_fits) *restrict k, size_t n, int concentric)  \
+#define RULE_LOOP(name, m, concentric)                                                             \
+    static void FN(name)(struct FN(psc_fits) *restrict k, size_t n)                                \
     {                                                                                              \
-        const struct FN(fit_input) in = {k->ca2, k->cb2, k->bend, k->mu1};                         \
         size_t e;                                                                                  \
                                                                                                    \
-        FN(fit)(m, steps, n, PSC_BLOCK, DISK_RULE_TABLE(m).c, DISK_RULE_TABLE(m).s,                \
+        for (e = 0; e < n; e++) {                                                                  \
+            struct FN(psc_disk_point) p;                                                           \
+                                                                                                   \
+            FN(fitted_point)(m, FIT_BLOCK, k->fit + e, concentric, k->a[e], k->b[e], k->u[e],      \
+                             k->v[e], &p);                                                         \
+            FN(store_point)(&k->points, e, &p);                                                    \
+        }                                                                                          \
+    }
+#define RULE_LOOPS(i, m, steps, least)                                                             \
+    RULE_LOOP(wave_radial_##m, m, 0)                                                               \
+    RULE_LOOP(wave_concentric_##m, m, 1)                                                           \
+    static void FN(wave_fit_##m)(struct FN(psc_fits) *restrict k, size_t n)                        \
+    {                                                                                              \
+        const struct FN(fit_input) in = {k->ca2, k->cb2, k->bend, k->mu1};                         \
+                                                                                                   \
+        FN(fit)(m, steps, n, FIT_BLOCK, DISK_RULE_TABLE(m).c, DISK_RULE_TABLE(m).s,                \
                 DISK_RULE_TABLE(m).per_c, DISK_RULE_TABLE(m).per_s, DISK_RULE_TABLE(m).wave,       \
                 DISK_RULE_TABLE(m).power, &in, k->work, k->series, k->fit);                        \
-        if (concentric)                                                                            \
-            for (e = 0; e < n; e++) {                                                              \
-                struct FN(psc_disk_point) p;                                                       \
-                                                                                                   \
-                FN(fitted_point)(m, PSC_BLOCK, k->fit + e, 1, k->a[e], k->b[e], k->u[e], k->v[e],  \
-                                 &p);                                                              \
-                FN(store_point)(&k->points, e, &p);                                                \
-            }                                                                                      \
-        else                                                                                       \
-            for (e = 0; e < n; e++) {                                                              \
-                struct FN(psc_disk_point) p;                                                       \
-                                                                                                   \
-                FN(fitted_point)(m, PSC_BLOCK, k->fit + e, 0, k->a[e], k->b[e], k->u[e], k->v[e],  \
-                                 &p);                                                              \
-                FN(store_point)(&k->points, e, &p);                                                \
-            }                                                                                      \
     }
-DISK_RULES(RULE_LOOP)
+DISK_RULES(RULE_LOOPS)
+#undef RULE_LOOPS
 #undef RULE_LOOP
 
-static void FN(sample_quasi)(struct FN(psc_fits) *restrict k, size_t n, int concentric)
+#define SPAN_LOOPS(i, m, steps, least)                                                             \
+    static void FN(wave_span_fit_##m)(struct FN(psc_fits) *restrict k, size_t n)                   \
+    {                                                                                              \
+        const struct FN(span_input) in = {k->ca, k->cb};                                           \
+                                                                                                   \
+        FN(span_fit)(m, n, FIT_BLOCK, DISK_RULE_TABLE(m).c, DISK_RULE_TABLE(m).s,                  \
+                     DISK_RULE_TABLE(m).wave, &in, k->work, k->fit);                               \
+    }                                                                                              \
+    static void FN(wave_parallel_##m)(struct FN(psc_fits) *restrict k, size_t n)                   \
+    {                                                                                              \
+        size_t e;                                                                                  \
+                                                                                                   \
+        for (e = 0; e < n; e++) {                                                                  \
+            struct FN(psc_disk_point) p;                                                           \
+                                                                                                   \
+            FN(span_point)(m, steps, FIT_BLOCK, k->fit + e, k->a[e], k->ca[e], k->b[e], k->cb[e],  \
+                           k->u[e], k->v[e], &p);                                                  \
+            FN(store_point)(&k->points, e, &p);                                                    \
+        }                                                                                          \
+    }
+SPAN_RULES(SPAN_LOOPS)
+#undef SPAN_LOOPS
+
+#define COUNT_RULE(i, m, steps, least) +1
+enum { FN(MOST_RULES) = 0 DISK_RULES(COUNT_RULE) };
+#undef COUNT_RULE
+
+typedef void (*FN(rule_loop))(struct FN(psc_fits) *, size_t);
+
+/* Fits and samples the elements of an index that have one rule. */
+static void FN(wave_rule)(enum psc_disk_map map, int rule, const uint32_t *index, size_t count,
+                          const real *u, const real *v, struct FN(psc_disk_views) *o)
+{
+#define FIT_ROW(i, m, steps, least) \
+    {FN(wave_fit_##m), FN(wave_radial_##m), FN(wave_concentric_##m)},
+    static const FN(rule_loop) fitted[][3] = {DISK_RULES(FIT_ROW)};
+#undef FIT_ROW
+#define SPAN_ROW(i, m, steps, least) {FN(wave_span_fit_##m), FN(wave_parallel_##m)},
+    static const FN(rule_loop) spans[][2] = {SPAN_RULES(SPAN_ROW)};
+#undef SPAN_ROW
+    struct FN(psc_fits) k;
+    size_t first, n, e;
+
+    for (first = 0; first < count; first += n) {
+        n = MIN(count - first, FIT_BLOCK);
+        for (e = 0; e < n; e++) {
+            const uint32_t i = index[first + e];
+
+            k.ca[e] = o->ca[i];
+            k.cb[e] = o->cb[i];
+            k.ca2[e] = o->ca2[i];
+            k.cb2[e] = o->cb2[i];
+            k.bend[e] = o->bend[i];
+            k.mu1[e] = o->mu1[i];
+            k.a[e] = o->a[i];
+            k.b[e] = o->b[i];
+            k.u[e] = u[i];
+            k.v[e] = v[i];
+        }
+        if (map == PSC_DISK_PARALLEL) {
+            spans[rule][0](&k, n);
+            spans[rule][1](&k, n);
+        } else {
+            fitted[rule][0](&k, n);
+            fitted[rule][map == PSC_DISK_CONCENTRIC ? 2 : 1](&k, n);
+        }
+        for (e = 0; e < n; e++) {
+            const struct FN(psc_disk_point) p = FN(load_point)(&k.points, e);
+
+            FN(store_point)(&o->points, index[first + e], &p);
+        }
+    }
+}
+
+static void FN(wave_rules)(enum psc_disk_map map, size_t count, const real *u, const real *v,
+                           struct FN(psc_disk_views) *o, psc_result *status)
+{
+    uint32_t index[FN(MOST_RULES)][PSC_BLOCK];
+    size_t size[FN(MOST_RULES)] = {0}, i;
+    int rule;
+
+    memset(&o->points, 0, sizeof o->points); /* of what is not sampled here */
+    for (i = 0; i < count; i++) {
+        if (status[i] != PSC_SUCCESS)
+            continue;
+        rule = FN(rule_of)(map, o->quotient[i]);
+        if (rule < 0)
+            status[i] = PSC_PENDING;
+        else
+            index[rule][size[rule]++] = (uint32_t)i;
+    }
+    for (rule = 0; rule < FN(MOST_RULES); rule++)
+        if (size[rule] > 0)
+            FN(wave_rule)(map, rule, index[rule], size[rule], u, v, o);
+}
+
+static void FN(wave_quasi)(struct FN(psc_disk_views) *restrict o, size_t n, const real *restrict u,
+                           const real *restrict v)
 {
     size_t e;
 
-    (void)concentric;
     for (e = 0; e < n; e++) {
         struct FN(psc_disk_point) p;
 
-        FN(quasi_point)(k->a[e], k->b[e], k->ca2[e], k->cb2[e], k->mu1[e], k->u[e], k->v[e], &p);
-        FN(store_point)(&k->points, e, &p);
+        FN(quasi_point)(o->a[e], o->b[e], o->ca2[e], o->cb2[e], o->mu1[e], u[e], v[e], &p);
+        FN(store_point)(&o->points, e, &p);
     }
 }
 
-#define DISK_COUNT_RULE(i, m, steps, least) +1
-/* The rules of interpolation, and the map that needs none. */
-enum { FN(QUASI_LOOP) = 0 DISK_RULES(DISK_COUNT_RULE), FN(LOOPS) };
-#undef DISK_COUNT_RULE
+#define WAVE_AREA(name, map)                                                                       \
+    static void FN(name)(struct FN(psc_disk_views) *restrict o, size_t n, const real *restrict u,  \
+                         const real *restrict v)                                                   \
+    {                                                                                              \
+        size_t e;                                                                                  \
+                                                                                                   \
+        for (e = 0; e < n; e++) {                                                                  \
+            struct FN(psc_disk_world) w;                                                           \
+            struct FN(psc_disk_point) p;                                                           \
+                                                                                                   \
+            FN(load_world)(o, e, &w);                                                              \
+            FN(area_lane)(map, &w, u[e], v[e], &p);                                                \
+            FN(store_point)(&o->points, e, &p);                                                    \
+        }                                                                                          \
+    }
+WAVE_AREA(wave_area_radial, PSC_DISK_AREA_RADIAL)
+WAVE_AREA(wave_area_concentric, PSC_DISK_AREA_CONCENTRIC)
+WAVE_AREA(wave_area_parallel, PSC_DISK_AREA_PARALLEL)
+#undef WAVE_AREA
 
-/* What is seen of a block. */
-struct FN(psc_disk_views) {
-    struct FN(psc_disk_world) world[PSC_BLOCK];
-    struct FN(psc_disk_point) point[PSC_BLOCK];
-    struct psc_ellipse seen[PSC_BLOCK];
-    uint32_t index[FN(LOOPS)][PSC_BLOCK]; /* by loop */
-    size_t count[FN(LOOPS)];
-};
-
-static void FN(wave_loop)(struct FN(psc_disk_views) *o, int loop, int concentric, const real *u,
-                          const real *v)
+static void FN(wave_points)(enum psc_disk_map map, size_t n, const real *u, const real *v,
+                            struct FN(psc_disk_views) *o, psc_result *status)
 {
-#define DISK_ROW(i, m, steps, least) FN(fit_and_sample_##m),
-    static void (*const loops[])(struct FN(psc_fits) *, size_t, int) = {DISK_RULES(DISK_ROW) FN(sample_quasi)};
-#undef DISK_ROW
-    const size_t n = o->count[loop];
-    struct FN(psc_fits) k;
+    switch (map) {
+    case PSC_DISK_AREA_RADIAL: FN(wave_area_radial)(o, n, u, v); break;
+    case PSC_DISK_AREA_CONCENTRIC: FN(wave_area_concentric)(o, n, u, v); break;
+    case PSC_DISK_AREA_PARALLEL: FN(wave_area_parallel)(o, n, u, v); break;
+    case PSC_DISK_QUASI_UNIFORM: FN(wave_quasi)(o, n, u, v); break;
+    default: FN(wave_rules)(map, n, u, v, o, status); break;
+    }
+}
+
+/* ---- From points to results ---- */
+
+PSC_LANE void FN(wave_densities)(enum psc_disk_density density, enum psc_facing facing, size_t n,
+                                 const struct FN(psc_disk_views) *restrict o,
+                                 struct FN(psc_results) *restrict r)
+{
     size_t e;
 
     for (e = 0; e < n; e++) {
-        const uint32_t i = o->index[loop][e];
-        const struct psc_ellipse *seen = o->seen + i;
+        const struct FN(psc_disk_point) p = FN(load_point)(&o->points, e);
+        struct FN(psc_disk_world) w;
+        real direction[3];
 
-        k.ca2[e] = (real)(seen->ca * seen->ca);
-        k.cb2[e] = (real)(seen->cb * seen->cb);
-        k.bend[e] = (real)((seen->cb - seen->ca) * (seen->cb + seen->ca));
-        k.mu1[e] = (real)ellipse_mu1(seen->ca, seen->cb);
-        k.a[e] = (real)seen->a;
-        k.b[e] = (real)seen->b;
-        k.u[e] = u[i];
-        k.v[e] = v[i];
-    }
-    loops[loop](&k, n, concentric);
-    for (e = 0; e < n; e++)
-        o->point[o->index[loop][e]] = FN(load_point)(&k.points, e);
-}
-
-typedef psc_result (*FN(disk_see))(psc_sampler *, const struct psc_request *, const double *);
-
-/* Whether the numbers of an element are ones that a build takes. */
-static int FN(wave_checks)(const struct psc_wave *wave, size_t i)
-{
-    double sum = 0.0;
-    int k;
-
-    for (k = 0; k < 3; k++)
-        sum += wave->position[k][i] * 0.0 + wave->normal[k][i] * 0.0;
-    for (k = 0; k < wave->parts; k++)
-        sum += wave->geometry[k][i] * 0.0;
-    return sum == 0.0 && (wave->facing == PSC_FACING_NONE || wave->normal[0][i] != 0.0 ||
-                          wave->normal[1][i] != 0.0 || wave->normal[2][i] != 0.0);
-}
-
-/* Sees element i; its sample is taken at once where no loop serves it. */
-static void FN(wave_see)(const struct psc_wave *wave, FN(disk_see) see, size_t i, real u, real v,
-                         psc_sampler *s, struct FN(psc_disk_views) *o, psc_result *status)
-{
-    const double position[3] = {wave->position[0][i], wave->position[1][i],
-                                wave->position[2][i]};
-    const double normal[3] = {wave->normal[0][i], wave->normal[1][i], wave->normal[2][i]};
-    double geometry[PSC_MAX_GEOMETRY];
-    struct psc_request request;
-    int k, loop = -1;
-
-    *status = PSC_PENDING;
-    if (wave->map == PSC_MAP_TABULATED || !FN(wave_checks)(wave, i))
-        return;
-    request.measure = wave->measure;
-    request.map = wave->map;
-    request.facing = wave->facing;
-    request.position = position;
-    request.normal = wave->facing == PSC_FACING_NONE ? NULL : normal;
-    request.one_sided = wave->one_sided;
-    request.table = wave->table;
-    request.numbers = wave->parts;
-    for (k = 0; k < wave->parts; k++)
-        geometry[k] = wave->geometry[k][i];
-    *status = see(s, &request, geometry);
-    if (*status < 0)
-        *status = PSC_PENDING;
-    if (*status != PSC_SUCCESS)
-        return;
-    disk_head(s, request.table);
-    if (!(s->total > 0.0)) {
-        *status = PSC_EMPTY;
-        return;
-    }
-    s->inverse_total = 1.0 / s->total;
-    FN(disk_world)(s, o->world + i);
-    if (s->disk.map == PSC_DISK_QUASI_UNIFORM)
-        loop = FN(QUASI_LOOP);
-    else if (s->disk.map <= PSC_DISK_CONCENTRIC && s->disk.seen.ca > 0.0)
-        loop = DISK_RULE(&s->disk);
-    if (loop >= 0) {
-        o->seen[i] = s->disk.seen;
-        o->index[loop][o->count[loop]++] = (uint32_t)i;
-    } else {
-        disk_fit(s);
-        FN(disk_point)(s, o->world + i, u, v, o->point + i);
+        FN(load_world)(o, e, &w);
+        FN(disk_direction)(&w, &p, direction);
+        r->value[0][e] = direction[0];
+        r->value[1][e] = direction[1];
+        r->value[2][e] = direction[2];
+        FN(disk_density)(density, &w, &p, FN(disk_cosine)(facing, &w, direction),
+                         &r->value[PSC_PDF][e], &r->value[PSC_WEIGHT][e]);
     }
 }
 
-static void FN(wave_finish)(const struct psc_wave *wave, const struct FN(psc_disk_views) *o,
-                            struct FN(psc_results) *r)
+#define WAVE_DENSITY(name, density)                                                                \
+    static void FN(name)(enum psc_facing facing, size_t n,                                         \
+                         const struct FN(psc_disk_views) *o, struct FN(psc_results) *r)            \
+    {                                                                                              \
+        if (facing == PSC_FACING_NONE)                                                             \
+            FN(wave_densities)(density, PSC_FACING_NONE, n, o, r);                                 \
+        else if (facing == PSC_FACING_ONE)                                                         \
+            FN(wave_densities)(density, PSC_FACING_ONE, n, o, r);                                  \
+        else                                                                                       \
+            FN(wave_densities)(density, PSC_FACING_BOTH, n, o, r);                                 \
+    }
+WAVE_DENSITY(wave_constant, PSC_DISK_CONSTANT)
+WAVE_DENSITY(wave_by_area, PSC_DISK_BY_AREA)
+WAVE_DENSITY(wave_by_quasi, PSC_DISK_QUASI)
+#undef WAVE_DENSITY
+
+#define WAVE_HITS(name, hit)                                                                       \
+    static void FN(name)(size_t n, const struct FN(psc_disk_views) *restrict o,                    \
+                         struct FN(psc_results) *restrict r)                                       \
+    {                                                                                              \
+        size_t e;                                                                                  \
+                                                                                                   \
+        for (e = 0; e < n; e++) {                                                                  \
+            const struct FN(psc_disk_point) p = FN(load_point)(&o->points, e);                     \
+            const real direction[3] = {r->value[0][e], r->value[1][e], r->value[2][e]};            \
+            real point[3], normal[3], distance, surface[2];                                        \
+            struct FN(psc_disk_world) w;                                                           \
+                                                                                                   \
+            FN(load_world)(o, e, &w);                                                              \
+            FN(disk_hit)(hit, &w, &p, direction, point, normal, &distance, surface);               \
+            FN(store_surface)(r, e, point, normal, distance, surface[0], surface[1]);              \
+        }                                                                                          \
+    }
+WAVE_HITS(wave_hits_flat, PSC_DISK_HIT_FLAT)
+WAVE_HITS(wave_hits_chord, PSC_DISK_HIT_CHORD)
+WAVE_HITS(wave_hits_solid, PSC_DISK_HIT_SOLID)
+WAVE_HITS(wave_hits_solid_chord, PSC_DISK_HIT_SOLID_CHORD)
+WAVE_HITS(wave_hits_area, PSC_DISK_HIT_AREA)
+#undef WAVE_HITS
+
+static void FN(wave_results)(const struct psc_wave *wave, enum psc_disk_map map, int solid,
+                             const struct FN(psc_disk_views) *o, struct FN(psc_results) *r)
 {
-    real direction[3], point[3], normal[3], distance, surface[2], cosine;
+    const size_t n = wave->count;
     size_t i;
-    int c;
 
-    for (i = 0; i < wave->count; i++) {
-        const struct FN(psc_disk_world) *w = o->world + i;
-        const struct FN(psc_disk_point) *p = o->point + i;
-
-        if (r->status[i] != PSC_SUCCESS)
-            continue;
-        FN(disk_direction)(w, p, direction);
-        cosine = FN(disk_cosine)(wave->facing, w, direction);
-        FN(disk_density)(disk_density_of(w->map), w, p, cosine, &r->value[PSC_PDF][i],
-                         &r->value[PSC_WEIGHT][i]);
-        for (c = 0; c < 3; c++)
-            r->value[c][i] = direction[c];
-        if (wave->surface) {
-            FN(disk_hit)(w->hit, w, p, direction, point, normal, &distance, surface);
-            FN(store_surface)(r, i, point, normal, distance, surface[0], surface[1]);
-        }
-        r->status[i] = r->value[PSC_WEIGHT][i] > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
+    switch (disk_density_of(map)) {
+    case PSC_DISK_BY_AREA: FN(wave_by_area)(wave->facing, n, o, r); break;
+    case PSC_DISK_QUASI: FN(wave_by_quasi)(wave->facing, n, o, r); break;
+    default: FN(wave_constant)(wave->facing, n, o, r); break;
+    }
+    for (i = 0; i < n; i++)
+        if (r->status[i] == PSC_SUCCESS && !(r->value[PSC_WEIGHT][i] > K(0.0)))
+            r->status[i] = PSC_CULLED;
+    if (!wave->surface)
+        return;
+    switch (disk_hit_of(map, solid)) {
+    case PSC_DISK_HIT_CHORD: FN(wave_hits_chord)(n, o, r); break;
+    case PSC_DISK_HIT_SOLID: FN(wave_hits_solid)(n, o, r); break;
+    case PSC_DISK_HIT_SOLID_CHORD: FN(wave_hits_solid_chord)(n, o, r); break;
+    case PSC_DISK_HIT_AREA: FN(wave_hits_area)(n, o, r); break;
+    default: FN(wave_hits_flat)(n, o, r); break;
     }
 }
 
-static void FN(disk_waves)(const struct psc_wave *wave, FN(disk_see) see, const real *u,
-                           const real *v, struct FN(psc_results) *r)
+/* ---- The kernels ---- */
+
+typedef void (*FN(wave_view))(const struct psc_wave *wave, enum psc_disk_map map,
+                              struct FN(psc_disk_views) *o, psc_result *status);
+
+static void FN(disk_waves)(const struct psc_wave *wave, FN(wave_view) view, int solid,
+                           const real *u, const real *v, struct FN(psc_results) *r)
 {
+    const enum psc_disk_map map = disk_map_of(wave->measure, wave->map, 0);
     struct FN(psc_disk_views) o;
-    psc_sampler s;
     size_t i;
-    int loop;
 
-    if (wave->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE) {
+    if (wave->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE || map == PSC_DISK_TABULATED) {
         for (i = 0; i < wave->count; i++)
             r->status[i] = PSC_PENDING;
         return;
     }
-    memset(o.count, 0, sizeof o.count);
-    s.measure = wave->measure;
-    s.map = wave->map;
-    s.facing = wave->facing;
-    for (i = 0; i < wave->count; i++)
-        FN(wave_see)(wave, see, i, u[i], v[i], &s, &o, r->status + i);
-    for (loop = 0; loop < FN(LOOPS); loop++)
-        if (o.count[loop] > 0)
-            FN(wave_loop)(&o, loop, wave->map == PSC_MAP_CONCENTRIC, u, v);
-    FN(wave_finish)(wave, &o, r);
+    view(wave, map, &o, r->status);
+    FN(wave_points)(map, wave->count, u, v, &o, r->status);
+    FN(wave_results)(wave, map, solid, &o, r);
 }
 
-#define DISK_WAVE(name)                                                                            \
+#define DISK_WAVE(name, solid)                                                                     \
     static void FN(name##_wave)(const struct psc_wave *wave, const real *u, const real *v,         \
                                 struct FN(psc_results) *r)                                         \
     {                                                                                              \
-        FN(disk_waves)(wave, name##_see, u, v, r);                                                 \
+        FN(disk_waves)(wave, FN(view_##name##s), solid, u, v, r);                                  \
     }
-DISK_WAVE(disk)
-DISK_WAVE(elliptical)
-DISK_WAVE(ellipsoid)
+DISK_WAVE(disk, 0)
+DISK_WAVE(elliptical, 0)
+DISK_WAVE(ellipsoid, 1)
 #undef DISK_WAVE

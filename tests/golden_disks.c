@@ -265,6 +265,51 @@ static void compare_ellipsoid(const struct csv *row, double error[GOLDEN_MEASURE
     compare_light(1, row, error);
 }
 
+/* Elliptical disks and ellipsoids by projected solid angle. */
+static void compare_projected_light(int solid, const struct csv *row,
+                                    double error[GOLDEN_MEASURES])
+{
+    static const double origin[3] = {0.0, 0.0, 0.0};
+    const double *g = row->number + 1;
+    const int at = solid ? 13 : 10;
+    const quad expected = row->exact[at + 3];
+    const psc_technique technique =
+        make_technique(PSC_MEASURE_PROJECTED_SOLID_ANGLE, PSC_MAP_PARALLEL);
+    const psc_receiver receiver = make_receiver(origin, row->number + at, 0);
+    double total = NAN, factor = NAN, whole = NAN;
+    struct test_sampler s;
+    int hardly;
+
+    make_sampler(&s);
+    if (solid) {
+        psc_ellipsoid_solid_angle(origin, g, g + 3, g + 6, g + 9, &whole);
+        psc_build_ellipsoid(s.sampler, &technique, &receiver, g, g + 3, g + 6, g + 9);
+        psc_ellipsoid_form_factor(&receiver, g, g + 3, g + 6, g + 9, &factor);
+    } else {
+        psc_ellipse_solid_angle(origin, g, g + 3, g + 6, &whole);
+        psc_build_ellipse(s.sampler, &technique, &receiver, g, g + 3, g + 6);
+        psc_ellipse_form_factor(&receiver, g, g + 3, g + 6, &factor);
+    }
+    psc_sampler_total(s.sampler, &total);
+    /* Of a light that is nearly all around, with the horizon nearly in its outline, less is left
+       than the horizon turns by its rounding. */
+    hardly = whole > 6.0 && total < 1e-16;
+    error[0] = hardly ? 0.0 : relative(total, expected);
+    error[1] = (double)(quad_abs(total - expected) / whole);
+    error[2] = hardly ? 0.0 : relative(factor, expected / quad_pi());
+    error[3] = hardly ? relative(total, expected) : 0.0;
+}
+
+static void compare_projected_ellipse(const struct csv *row, double error[GOLDEN_MEASURES])
+{
+    compare_projected_light(0, row, error);
+}
+
+static void compare_projected_ellipsoid(const struct csv *row, double error[GOLDEN_MEASURES])
+{
+    compare_projected_light(1, row, error);
+}
+
 #define COLUMNS "kind,alpha,beta,e1,e2,x,y,z,solid_angle"
 #define MEASURES                                                          \
     {                                                                     \
@@ -272,6 +317,16 @@ static void compare_ellipsoid(const struct csv *row, double error[GOLDEN_MEASURE
         {"direction f32, in sines of the semi-arcs", 2e-6},               \
         {"total, relative", 2e-15},                                       \
         {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}                             \
+    }
+
+/* Relative to what the horizon leaves, down to 1e-18 of the light. */
+#define PROJECTED_MEASURES                                                 \
+    {                                                                      \
+        {"total, relative", 1e-14},                                        \
+        {"total, of the solid angle", 2e-15},                              \
+        {"form factor without a sampler, relative", 1e-14},                \
+        {"total of a light all around, below but 1e-16, relative", 1e-11}, \
+        {NULL, 0.0}, {NULL, 0.0}                                           \
     }
 
 const struct golden_quantity golden_disks[] = {
@@ -306,6 +361,12 @@ const struct golden_quantity golden_disks[] = {
       /* conjugate semi-axes of an ellipsoid 1e-4 thin: its thickness is the difference of them */
       {"total, relative", 2e-14},
       {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}}},
+    {"ellipse_projected_solid_angle",
+     "kind,cx,cy,cz,ux,uy,uz,vx,vy,vz,Nx,Ny,Nz,projected_solid_angle", 14,
+     compare_projected_ellipse, PROJECTED_MEASURES},
+    {"ellipsoid_projected_solid_angle",
+     "kind,cx,cy,cz,ux,uy,uz,vx,vy,vz,wx,wy,wz,Nx,Ny,Nz,projected_solid_angle", 17,
+     compare_projected_ellipsoid, PROJECTED_MEASURES},
     {NULL, NULL, 0, NULL,
      {{NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}, {NULL, 0.0}}},
 };

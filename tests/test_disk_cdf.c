@@ -2,116 +2,18 @@
 /*
  * CDF errors of the maps of elliptic cones by solid angle, from samples as offsets from the axis:
  * semi-arcs from 1e-8 to within 1e-8 of a right angle, quotients of the two down to 1e-8.
- *
- * The shares are integrals of the outline in polar coordinates, 1 - cosine over the azimuth, and
- * of the chords over the angle of their planes. Both are taken in a variable in which they are
- * smooth but for layers at both ends, to which panels get smaller by four.
  */
 #include "arcs.h"
-#include "gauss.h"
+#include "cone_shares.h"
 #include "shapes.h"
 #include "worst.h"
 
-enum { CONES = 100, SAMPLES = 4, PANELS = 17 };
+enum { CONES = 100, SAMPLES = 4 };
 
 /* Each number of an offset may be three units in its last place off. */
 #define ROUNDINGS 6.0
 
 static const double cdf_bound[2] = {3e-7, 1e-14};
-
-/* A cone: tangents and their inverse squares, sines, in quad from the semi-arcs. */
-struct cone {
-    quad sine_a, sine_b, tangent_b, p, q;
-    quad sectors, chords; /* the integrals of all */
-};
-
-/* A density of solid angle. */
-typedef quad rate(const struct cone *k, quad t);
-
-/* Per unit of t, tan azimuth = (sin b / sin a) tan t: 1 - cosine of the outline there. */
-static quad sector_rate(const struct cone *k, quad t)
-{
-    const quad x = k->sine_a * quad_cos(t), y = k->sine_b * quad_sin(t);
-    const quad square = x * x + y * y; /* cos and sin of the azimuth are x, y by its root */
-    const quad tangent2 = square / (k->p * x * x + k->q * y * y), root = quad_sqrt(1 + tangent2);
-
-    return tangent2 / (root * (1 + root)) * (k->sine_a * k->sine_b / square);
-}
-
-/* Per unit of t, tan angle = tan beta sin t: half the chord of that plane. */
-static quad chord_rate(const struct cone *k, quad t)
-{
-    const quad height = k->tangent_b * quad_sin(t), square = 1 / (1 + height * height);
-    const quad c = quad_cos(t), tangent2 = square * c * c / k->p;
-
-    return quad_sqrt(tangent2 / (1 + tangent2)) * k->tangent_b * c * square;
-}
-
-static quad panel(rate *f, const struct cone *k, quad from, quad to)
-{
-    quad sum = 0;
-    int i;
-
-    for (i = 0; i < GAUSS_NODES; i++)
-        sum += gauss_weight(i) * f(k, from + (to - from) * gauss_node(i));
-    return (to - from) * sum;
-}
-
-/* From 0 to high <= pi/2. */
-static quad integral(rate *f, const struct cone *k, quad high)
-{
-    const quad right = quad_pi() / 2, middle = high < right / 2 ? high : right / 2;
-    quad sum = 0, step = middle;
-    int i;
-
-    for (i = 1; i < PANELS; i++, step /= 4)
-        sum += panel(f, k, step / 4, step);
-    sum += panel(f, k, 0, step);
-    for (i = 1, step = right - middle; i <= PANELS && right - step < high; i++, step /= 4) {
-        const quad to = i < PANELS ? right - step / 4 : right;
-
-        sum += panel(f, k, right - step, to < high ? to : high);
-    }
-    return sum;
-}
-
-static struct cone cone_of(double alpha, double beta)
-{
-    const quad ca = quad_cos(alpha), cb = quad_cos(beta);
-    struct cone c;
-
-    c.sine_a = quad_sin(alpha);
-    c.sine_b = quad_sin(beta);
-    c.tangent_b = c.sine_b / cb;
-    c.p = quad_square(ca / c.sine_a);
-    c.q = quad_square(cb / c.sine_b);
-    c.sectors = integral(sector_rate, &c, quad_pi() / 2);
-    c.chords = integral(chord_rate, &c, quad_pi() / 2);
-    return c;
-}
-
-/* ---- From a sample to its place in the square */
-
-/* Inverse of the map of [SC97]: where the square's point is in polar coordinates. */
-static void square_to_polar(double u, double v, quad *square, quad *turn)
-{
-    const quad a = 2 * (quad)u - 1, b = 2 * (quad)v - 1;
-    const int along = quad_abs(a) > quad_abs(b);
-    const quad r = along ? a : b;
-    const quad angle = along ? b / a / 8 : b != 0 ? (quad)0.25 - a / b / 8 : 0;
-
-    *square = r * r;
-    *turn = r < 0 ? angle + (quad)0.5 : angle;
-}
-
-static double around(quad a, quad b)
-{
-    quad d = quad_abs(a - b);
-
-    while (d > 0.5)
-        d = quad_abs(d - 1);
-    return (double)d;
-}
 
 /* 1 - z of an offset: from whichever of x, y and z has more digits. */
 static quad versine_of(const double offset[3])
@@ -125,36 +27,14 @@ static quad versine_of(const double offset[3])
 static void polar_error(psc_map map, const struct cone *k, double unit, double u, double v,
                         const double offset[3], double error[2])
 {
-    const quad p = offset[0] / k->sine_a, q = offset[1] / k->sine_b;
-    const quad t = quad_atan2(quad_abs(q), quad_abs(p));
-    const quad square = quad_square(quad_sin(t) * k->sine_b) + quad_square(quad_cos(t) * k->sine_a);
-    const quad c2 = quad_square(quad_cos(t) * k->sine_a) / square;
-    const quad tangent2 = 1 / (k->p * c2 + k->q * (1 - c2)), root = quad_sqrt(1 + tangent2);
-    const quad inner = versine_of(offset) / (tangent2 / (root * (1 + root)));
-    quad turn = integral(sector_rate, k, t) / k->sectors / 4;
-    quad wanted = u, outwards = 1 - (quad)v;
+    const quad at[3] = {offset[0], offset[1], offset[2]};
+    quad wanted = u, outwards = 1 - (quad)v, place[2];
 
-    turn = p < 0 ? (quad)0.5 - turn : turn;
-    turn = q < 0 ? 1 - turn : turn;
+    polar_place(k, at, versine_of(offset), place);
     if (map == PSC_MAP_CONCENTRIC)
         square_to_polar(u, v, &outwards, &wanted);
-    error[0] = p == 0 && q == 0 ? 0.0 : around(turn, wanted) * (double)outwards;
-    error[1] = (double)quad_abs(inner - outwards) - 2.0 * ROUNDINGS * unit * (double)outwards;
-}
-
-/* The share of the cone between the middle and the chord of an offset, and where the sample with
-   the coordinate v is on that chord less where it should be, in sines of alpha. */
-static void chord_place(const struct cone *k, double v, const quad offset[3], quad place[2])
-{
-    const quad pi = quad_pi(), z = 1 + offset[2];
-    const quad sine = quad_abs(offset[1]) / (z * k->tangent_b);
-    const quad t = sine < 1 ? quad_asin(sine) : pi / 2;
-    const quad square = 1 / (1 + quad_square(k->tangent_b * quad_sin(t)));
-    const quad tangent2 = square * quad_square(quad_cos(t)) / k->p;
-    const quad part = integral(chord_rate, k, t) / k->chords / 2;
-
-    place[0] = (offset[1] < 0 ? -part : part) + (quad)0.5;
-    place[1] = (offset[0] - (2 * (quad)v - 1) * quad_sqrt(tangent2 / (1 + tangent2))) / k->sine_a;
+    error[0] = at[0] == 0 && at[1] == 0 ? 0.0 : around(place[0], wanted) * (double)outwards;
+    error[1] = (double)quad_abs(place[1] - outwards) - 2.0 * ROUNDINGS * unit * (double)outwards;
 }
 
 /* Less what the rounding of the offset explains: at the ends of the map, and where z is small, it
@@ -239,7 +119,7 @@ static void sweep(const struct test_technique *what)
         struct cone cone;
 
         random_arcs(&seed, &alpha, &beta);
-        cone = cone_of(alpha, beta);
+        cone = cone_of(quad_sin(alpha), quad_cos(alpha), quad_sin(beta), quad_cos(beta));
         psc_build_ellipse_arcs(make_sampler(&s), &technique, alpha, beta);
         for (j = 0; j < SAMPLES; j++) {
             double u = random_coordinate(&seed), v = random_coordinate(&seed);

@@ -260,6 +260,8 @@ def flat(source, kind):
         height, beside = source.log(-8, -1), mpf(source.random.uniform(1.2, 5))
     elif kind == 'close':
         height, beside = source.log(-3, -1), mpf(source.random.uniform(0, 0.5)) * aspect
+    elif kind == 'plane':
+        height, beside = source.log(-8, -3), mpf(source.random.uniform(0, 0.5)) * aspect
     elif kind == 'rim':
         height = source.log(-6, -1)
     elif kind == 'thin':

@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * What a receiver sees of a circular disk: a lane function, the same for one element and for many.
+ *
+ * With d the distance to the plane, y that of the centre from the plane's nearest point and m1,
+ * m2 the distances of the nearest and the farthest point of the rim,
+ *     sin alpha = 2 r / (m1 + m2),   lp - lm = m1^2 - ... = (y - r)(y + r) + d^2 = T,
+ *     lp lm = (d r)^2,   sin^2 beta = lm / (m1 m2),
+ * from the roots lp > 0 > -lm of the quadratic form d^2 X^2 + lp Y^2 = lm Z^2 of the cone. Nothing
+ * cancels but y - r, which comes from squares in two words. 8e-16 relative, all in all.
+ */
+#ifndef PSC_SRC_DISK_LOOK_H
+#define PSC_SRC_DISK_LOOK_H
+
+#include "ellipse_view.h"
+
+struct psc_disk_look {
+    double scale, unit;         /* a power of two that makes lengths about 1, and its inverse */
+    struct psc_wide offset[3];  /* of the centre, in units of `unit`, as is radius */
+    double normal[3], radius;   /* the largest component of the normal is in [1,2) */
+    struct psc_outline outline; /* likewise */
+    double axes[2][3];          /* unit vectors across the normal */
+    double outward[3];          /* the unit normal */
+    double facing;              /* -1 for a receiver in front of the disk */
+    double seen;                /* 0 in the plane of the disk */
+    double middle, reach;       /* height of the centre over the horizon, and what is around it */
+};
+
+/* Products and sums of plain numbers and numbers in two words, as wide.h would have them. */
+PSC_LANE struct psc_wide exact_product(double a, double b)
+{
+    struct psc_wide r;
+
+    two_product(a, b, &r.high, &r.low);
+    return r;
+}
+
+PSC_LANE struct psc_wide scaled(double a, struct psc_wide b)
+{
+    struct psc_wide r;
+    double e;
+
+    two_product(a, b.high, &r.high, &e);
+    two_sum(r.high, e + a * b.low, &r.high, &r.low);
+    return r;
+}
+
+PSC_LANE struct psc_wide scaled_dot(const double a[3], const struct psc_wide b[3])
+{
+    return wide_sum(wide_sum(scaled(a[0], b[0]), scaled(a[1], b[1])), scaled(a[2], b[2]));
+}
+
+PSC_LANE struct psc_wide scaled_difference(double a, struct psc_wide b, double c, struct psc_wide d)
+{
+    return wide_sum(scaled(a, b), wide_negative(scaled(c, d)));
+}
+
+/* The outline; geometry is the centre, the normal and the radius. */
+PSC_LANE void look_at_disk(const double position[3], const double geometry[7],
+                           struct psc_disk_look *o)
+{
+    struct psc_ellipse *e = &o->outline.seen;
+    struct psc_wide v[3], nn, nc, vv, rr;
+    double high[3], length, shrink, d, y, y_part, gap, sum, m1, m2, t, p, root, other;
+    double root_lp, root_lm, foot[3], up[3], across[3], x, z, size, on_axis;
+    int i;
+
+    for (i = 0; i < 3; i++)
+        high[i] = geometry[i] - position[i];
+    o->scale = unit_scale(MAX(largest(high), geometry[6]));
+    o->unit = 1.0 / o->scale;
+    see_offset(position, geometry, o->scale, o->offset);
+    (void)scale_to_one(geometry + 3, o->normal);
+    o->radius = geometry[6] * o->scale;
+    nn = wide_sum(wide_sum(exact_product(o->normal[0], o->normal[0]),
+                           exact_product(o->normal[1], o->normal[1])),
+                  exact_product(o->normal[2], o->normal[2]));
+    nc = scaled_dot(o->normal, o->offset);
+    for (i = 0; i < 3; i++)
+        v[i] = scaled_difference(o->normal[(i + 1) % 3], o->offset[(i + 2) % 3],
+                                 o->normal[(i + 2) % 3], o->offset[(i + 1) % 3]);
+    vv = wide_dot(v, v);
+    length = SQRT(nn.high);
+    shrink = 1.0 / length;
+    o->facing = COPYSIGN(1.0, nc.high);
+    d = ABS(nc.high) * shrink;
+    y_part = SQRT(vv.high);
+    y = y_part * shrink;
+    rr = wide_product(exact_product(o->radius, o->radius), nn);
+    sum = y + o->radius;
+    gap = wide_sum(vv, wide_negative(rr)).high / (nn.high * sum);
+    m1 = SQRT(gap * gap + d * d);
+    m2 = SQRT(sum * sum + d * d);
+    t = gap * sum + d * d;
+    p = m1 * m2;
+    root = SQRT(0.5 * (ABS(t) + p));
+    other = d * o->radius / root;
+    root_lp = t < 0.0 ? other : root;
+    root_lm = t < 0.0 ? root : other;
+    size = 1.0 / (m1 + m2);
+    e->a = MIN(2.0 * o->radius * size, 1.0);
+    e->ca = 2.0 * root_lp * size;
+    size = 1.0 / SQRT(p);
+    e->b = root_lm * size;
+    e->cb = root_lp * size;
+    o->outline.near = m1 * size;
+    o->outline.far = m2 * size;
+    size = 1.0 / root_lp;
+    e->at = o->radius * size;
+    e->bt = root_lm * size;
+    o->seen = root_lp > 0.0 ? root_lm : 0.0;
+
+    /* up: the normal away from the receiver; foot: in the plane towards the centre */
+    for (i = 0; i < 3; i++) {
+        o->outward[i] = o->normal[i] * shrink;
+        up[i] = o->facing * o->outward[i];
+    }
+    perpendicular(o->outward, o->axes[0]);
+    cross_rounded(o->outward, o->axes[0], o->axes[1]);
+    on_axis = vv.high > 0.0 ? 0.0 : 1.0;
+    size = -o->facing / (on_axis > 0.0 ? 1.0 : y_part);
+    for (i = 0; i < 3; i++) {
+        across[i] = size * v[i].high;
+        e->x[i] = on_axis > 0.0 ? o->facing * o->axes[0][i] : across[i];
+    }
+    cross_rounded(up, e->x, foot);
+    /* z is y foot + (d + r bt) up, stretched by root_lp */
+    x = y * root_lp;
+    z = d * root_lp + o->radius * root_lm;
+    size = 1.0 / SQRT(x * x + z * z);
+    x *= size;
+    z *= size;
+    for (i = 0; i < 3; i++) {
+        e->z[i] = x * foot[i] + z * up[i];
+        e->y[i] = z * foot[i] - x * up[i];
+    }
+
+    o->outline.turn[0] = 1.0;
+    o->outline.turn[1] = 0.0;
+    o->outline.reach = root_lp;
+    for (i = 0; i < 2; i++) {
+        o->outline.side[0][i] = dot(e->x, o->axes[i]);
+        o->outline.side[1][i] = dot(foot, o->axes[i]);
+    }
+}
+
+/* A unit vector along v, which is not 0. */
+PSC_LANE void unit_normal(const double v[3], double to[3])
+{
+    double length;
+    int i;
+
+    (void)scale_to_one(v, to);
+    length = 1.0 / SQRT(dot(to, to));
+    for (i = 0; i < 3; i++)
+        to[i] *= length;
+}
+
+PSC_LANE double disk_area(double radius)
+{
+    return PSC_PI * (radius * radius);
+}
+
+/* The i-th component of the k-th semi-axis of the disk that directions are projected along, see
+   ellipse_view.h. */
+PSC_LANE double disk_across(const struct psc_disk_look *o, double radius, int k, int i)
+{
+    return radius * (o->outline.side[k][0] * o->axes[0][i] + o->outline.side[k][1] * o->axes[1][i]);
+}
+
+/* How high the light is over the horizon of a normal, or of either side of that. */
+PSC_LANE void look_at_horizon(const double normal[3], int both, struct psc_disk_look *o)
+{
+    double n[3], first, second, middle;
+
+    (void)scale_to_one(normal, n);
+    first = dot(n, o->axes[0]) * o->radius;
+    second = dot(n, o->axes[1]) * o->radius;
+    middle = scaled_dot(n, o->offset).high;
+    o->middle = both ? ABS(middle) : middle;
+    o->reach = SQRT(first * first + second * second);
+}
+
+#endif
