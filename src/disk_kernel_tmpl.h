@@ -268,7 +268,7 @@ static FN(disk_block) FN(block_of)(const struct psc_disk_light *d)
     return d->map == PSC_DISK_PARALLEL ? parallel[DISK_RULE(d)] : fitted[DISK_RULE(d)][d->map];
 }
 
-/* Densities of a block with the constants of one loop. */
+/* Directions and densities of a block with the constants of one loop. */
 PSC_LANE void FN(disk_densities)(enum psc_disk_density density, enum psc_facing facing,
                                  const struct FN(psc_disk_world) *w, size_t n,
                                  const struct FN(psc_disk_points) *restrict points,
@@ -280,10 +280,14 @@ PSC_LANE void FN(disk_densities)(enum psc_disk_density density, enum psc_facing 
 
     for (i = 0; i < n; i++) {
         const struct FN(psc_disk_point) p = FN(load_point)(points, i);
-        const real direction[3] = {r->value[0][i], r->value[1][i], r->value[2][i]};
-        const real cosine = FN(disk_cosine)(facing, &own, direction);
+        real direction[3];
 
-        FN(disk_density)(density, &own, &p, cosine, &pdf[i], &weight[i]);
+        FN(disk_direction)(&own, &p, direction);
+        r->value[0][i] = direction[0];
+        r->value[1][i] = direction[1];
+        r->value[2][i] = direction[2];
+        FN(disk_density)(density, &own, &p, FN(disk_cosine)(facing, &own, direction), &pdf[i],
+                         &weight[i]);
     }
     for (i = 0; i < n; i++)
         r->status[i] = weight[i] > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
@@ -306,24 +310,6 @@ static void FN(disk_density_block)(const struct FN(psc_disk_world) *w, size_t n,
     default: FACING_CASES(PSC_DISK_CONSTANT); break;
     }
 #undef FACING_CASES
-}
-
-static void FN(disk_direction_block)(const struct FN(psc_disk_world) *w, size_t n,
-                                     const struct FN(psc_disk_points) *restrict points,
-                                     struct FN(psc_results) *restrict r)
-{
-    const struct FN(psc_disk_world) own = *w;
-    size_t i;
-
-    for (i = 0; i < n; i++) {
-        const struct FN(psc_disk_point) p = FN(load_point)(points, i);
-        real direction[3];
-
-        FN(disk_direction)(&own, &p, direction);
-        r->value[0][i] = direction[0];
-        r->value[1][i] = direction[1];
-        r->value[2][i] = direction[2];
-    }
 }
 
 /* Hits of a block with the constants of one loop. */
@@ -391,7 +377,6 @@ static void FN(disk_side_block)(const psc_sampler *s, int k, size_t n, const rea
     }
     FN(block_of)(&s->disk)(s, n, u, v, &points);
     FN(disk_world)(s, &w);
-    FN(disk_direction_block)(&w, n, &points, r);
     FN(disk_density_block)(&w, n, &points, r);
     if (surface)
         FN(disk_hit_block)(&w, n, &points, r);

@@ -15,7 +15,7 @@ import sys
 
 from mpmath import acos, atan2, cos, matrix, mp, mpf, pi, quad, sin, sqrt
 
-from ellipses import (Source, columns, cross, cuts_about, digits, dot, double, ellipse, ellipsoid,
+from ellipses import (Source, columns, cross, digits, dot, double, ellipse, ellipsoid,
                       exact, flat, nearest, outline, rim, same, solid, unit, write)
 
 
@@ -50,10 +50,12 @@ def along(points, n):
         p, d = points(t)
         return dot(n, cross(p, d)) / dot(p, p)
 
+    # once around, and the outline of a wide cone comes near twice
     width = pi if m >= r else acos(-m / r)
     low, high = t0 - width, t0 + width
     near = nearest(points)
-    cuts = [t + 2 * pi * k for t in cuts_about(near) for k in (-2, -1, 0, 1, 2)]
+    steps = [mpf(0)] + [s * pi / 4 ** k for k in range(12) for s in (-1, 1)]
+    cuts = [near + s + pi * k for s in steps for k in range(-4, 5)]
     cuts = [low] + sorted(t for t in set(cuts) if low < t < high) + [high]
     total = quad(rate, cuts)
     if m < r:
