@@ -22,7 +22,10 @@
 #include "results_tmpl.h"
 #include "sides_tmpl.h"
 #include "disk_kernel_tmpl.h"
+#include "fibre_round_tmpl.h"
 #include "fibre_kernel_tmpl.h"
+#include "fibre_lanes_tmpl.h"
+#include "fibre_wave_tmpl.h"
 #include "disk_wave_tmpl.h"
 
 PSC_KERNEL(disk, FN(cone_sample), FN(cone_sample_n), FN(disk_wave), disk_build, NULL, NULL);

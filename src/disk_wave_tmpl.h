@@ -280,14 +280,18 @@ static void FN(wave_results)(const struct psc_wave *wave, enum psc_disk_map map,
 typedef void (*FN(wave_view))(const struct psc_wave *wave, enum psc_disk_map map,
                               struct FN(psc_disk_views) *o, psc_result *status);
 
-static void FN(disk_waves)(const struct psc_wave *wave, FN(wave_view) view, int solid,
-                           const real *u, const real *v, struct FN(psc_results) *r)
+static void FN(disk_waves)(const struct psc_wave *wave, FN(wave_view) view, FN(disk_see) see,
+                           int solid, const real *u, const real *v, struct FN(psc_results) *r)
 {
     const enum psc_disk_map map = disk_map_of(wave->measure, wave->map, 0);
     struct FN(psc_disk_views) o;
     size_t i;
 
-    if (wave->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE || map == PSC_DISK_TABULATED) {
+    if (wave->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE) {
+        FN(projected_waves)(wave, see, u, v, r);
+        return;
+    }
+    if (map == PSC_DISK_TABULATED) {
         for (i = 0; i < wave->count; i++)
             r->status[i] = PSC_PENDING;
         return;
@@ -301,7 +305,7 @@ static void FN(disk_waves)(const struct psc_wave *wave, FN(wave_view) view, int 
     static void FN(name##_wave)(const struct psc_wave *wave, const real *u, const real *v,         \
                                 struct FN(psc_results) *r)                                         \
     {                                                                                              \
-        FN(disk_waves)(wave, FN(view_##name##s), solid, u, v, r);                                  \
+        FN(disk_waves)(wave, FN(view_##name##s), name##_see, solid, u, v, r);                      \
     }
 DISK_WAVE(disk, 0)
 DISK_WAVE(elliptical, 0)

@@ -74,24 +74,39 @@ static const double psc_odd_inverse[PSC_SERIES_TERMS] = {
 
 /* The coefficients of the integral: A_j = P_j + (j + 1) (P_(j - 1) - P_(j + 1)),
    B_j = (2 j + 3) R_j - 2 (j + 1) R_(j + 1). */
-PSC_LANE void integrate_series(int n, struct psc_fibre_series_f64 *q)
+PSC_LANE void integrate_series(int n, size_t stride, const double *even, const double *odd,
+                               double *even_integral, double *odd_integral, double *mean)
 {
     double p = 0.0, above = 0.0, r = 0.0;
     int j;
 
+    PSC_UNROLL
     for (j = n - 1; j >= 0; j--) {
-        double next;
+        const size_t at = (size_t)j * stride;
 
-        r = (q->odd[j] + 2.0 * (j + 1) * r) * psc_odd_inverse[j];
-        q->odd_integral[j] = r;
-        q->even_integral[j] = p;
-        if (j == 0)
-            break;
-        next = (q->even[j] - p) * psc_inverse[j] + above;
-        above = p;
-        p = next;
+        r = (odd[at] + 2.0 * (j + 1) * r) * psc_odd_inverse[j];
+        odd_integral[at] = r;
+        even_integral[at] = p;
+        if (j > 0) {
+            const double next = (even[at] - p) * psc_inverse[j] + above;
+
+            above = p;
+            p = next;
+        }
     }
-    q->mean = 0.5 * (q->even[0] - p + above);
+    *mean = 0.5 * (even[0] - p + above);
+}
+
+/* What the places of fixed shares are modelled in powers of. */
+PSC_LANE double model_variable(const struct psc_sheaf_f64 *f, int clipped)
+{
+    return clipped ? f->end * f->end : f->nf * f->sin_m / (f->nz * f->cos_m);
+}
+
+/* From that to the place: needles are far from it too. */
+PSC_LANE int start_steps(int n, const struct psc_sheaf_f64 *f)
+{
+    return n > 12 || ABS(f->shear) > 0.25 ? 2 : 1;
 }
 
 /* The starts through places of fixed shares: those of a small cone, and a step, or two where the
@@ -102,8 +117,8 @@ PSC_LANE void fit_starts(int n, int steps, const struct psc_sheaf_f64 *f,
     enum { HALF = PSC_START_TERMS, BOTH = 2 * HALF };
     const double *const model = psc_start_model + f->clipped * PSC_MODEL_TERMS * BOTH;
     const double *const powers = psc_start_powers + f->clipped * HALF * HALF;
-    const double t = f->clipped ? f->end * f->end : f->nf * f->sin_m / (f->nz * f->cos_m);
-    const double unit = f->clipped ? f->end : 1.0;
+    const double t = model_variable(f, f->clipped), unit = f->clipped ? f->end : 1.0;
+    const struct series_view_f64 view = view_of_f64(q);
     double x[BOTH], share[BOTH], root[BOTH], sign[BOTH];
     int i, k, step;
 
@@ -130,7 +145,7 @@ PSC_LANE void fit_starts(int n, int steps, const struct psc_sheaf_f64 *f,
             struct fibre_arc_f64 at;
 
             arc_of_f64(x[i], &at);
-            x[i] += series_step_f64(n, q, sign[i], f->end, share[i], &at);
+            x[i] += series_step_f64(n, &view, sign[i], f->end, share[i], &at);
         }
     }
     for (i = HALF; i < BOTH; i++)
@@ -146,6 +161,7 @@ PSC_LANE void series_build(int n, const double *c, const double *s, const double
                            const double *column, const double *power, struct psc_fibres *f)
 {
     struct psc_fibre_series_f64 *q = &f->series;
+    const struct series_view_f64 view = view_of_f64(q);
     double even[PSC_SERIES_TERMS], odd[PSC_SERIES_TERMS], whole;
     struct fibre_arc_f64 end;
     int j;
@@ -164,9 +180,9 @@ PSC_LANE void series_build(int n, const double *c, const double *s, const double
         q->even[j] *= f->sheaf.nz;
         q->odd[j] *= f->sheaf.nf * f->sheaf.sin_m;
     }
-    integrate_series(n, q);
+    integrate_series(n, 1, q->even, q->odd, q->even_integral, q->odd_integral, &q->mean);
     arc_of_f64(f->sheaf.end, &end);
-    whole = f->sheaf.clipped ? series_integral_f64(n, q, 1.0, &end) : PSC_PI * q->mean;
+    whole = f->sheaf.clipped ? series_integral_f64(n, &view, 1.0, &end) : PSC_PI * q->mean;
     if (f->sheaf.clipped)
         f->total = whole;
     whole = 1.0 / whole;
@@ -182,7 +198,7 @@ PSC_LANE void series_build(int n, const double *c, const double *s, const double
         q->even_slope[j] = j < n - 1 ? (j + 1) * q->even[j + 1] : 0.0;
         q->odd_slope[j] = j < n - 1 ? (j + 1) * q->odd[j + 1] : 0.0;
     }
-    fit_starts(n, n > 12 || ABS(f->sheaf.shear) > 0.25 ? 2 : 1, &f->sheaf, q);
+    fit_starts(n, start_steps(n, &f->sheaf), &f->sheaf, q);
 }
 
 #endif

@@ -9,76 +9,6 @@
 /* From inside the second side is the mirror image of the first. */
 #define FIBRE_MIRROR(light, side) ((light)->inside && (side) == 1 ? K(-1.0) : K(1.0))
 
-/* ---- Rounded to the precision of the kernel ---- */
-
-#if PSC_REAL_BITS == 64
-#define SERIES_FITS(f) ((f)->rule >= 0)
-#define SERIES_OF(m, f, to) (&(f)->series)
-#define SHEAF_OF(f, to) (&(f)->sheaf)
-#else
-/* Squares of what is in the light's size must be numbers. */
-#define SERIES_FITS(f) ((f)->rule >= 0 && (f)->sheaf.width > 1e-15 && (f)->sheaf.sin_m > 1e-15)
-#define SERIES_OF(m, f, to) FN(round_series)(m, &(f)->series, to)
-#define SHEAF_OF(f, to) FN(round_sheaf)(&(f)->sheaf, to)
-
-static const struct FN(psc_sheaf) *FN(round_sheaf)(const struct psc_sheaf_f64 *from,
-                                                   struct FN(psc_sheaf) *to)
-{
-    int i;
-
-    for (i = 0; i < 2; i++) {
-        to->f[i] = (real)from->f[i];
-        to->turn[i] = (real)from->turn[i];
-    }
-    to->sin_m = (real)from->sin_m;
-    to->cos_m = (real)from->cos_m;
-    to->shear = (real)from->shear;
-    to->width = (real)from->width;
-    to->nz = (real)from->nz;
-    to->nf = (real)from->nf;
-    to->end = (real)from->end;
-    to->rest = (real)from->rest;
-    to->cos_end = (real)from->cos_end;
-    to->clipped = from->clipped;
-    to->brief = to->brief_f32 = from->brief_f32;
-    return to;
-}
-
-PSC_LANE const struct FN(psc_fibre_series) *
-FN(round_series)(int n, const struct psc_fibre_series_f64 *from, struct FN(psc_fibre_series) *to)
-{
-    int i, k;
-
-    to->mean = (real)from->mean;
-    for (k = 0; k < 2; k++)
-        for (i = 0; i < PSC_START_TERMS; i++)
-            to->start[k][i] = (real)from->start[k][i];
-    PSC_KEEP_LOOP
-    for (i = 0; i < n; i++) {
-        to->even[i] = (real)from->even[i];
-        to->odd[i] = (real)from->odd[i];
-        to->even_integral[i] = (real)from->even_integral[i];
-        to->odd_integral[i] = (real)from->odd_integral[i];
-        to->even_slope[i] = (real)from->even_slope[i];
-        to->odd_slope[i] = (real)from->odd_slope[i];
-    }
-    return to;
-}
-#endif
-
-static void FN(round_direction)(const struct psc_fibre_direction_f64 *from,
-                                struct FN(psc_fibre_direction) *to)
-{
-    to->x = (real)from->x;
-    to->y = (real)from->y;
-    to->z = (real)from->z;
-    to->depth = (real)from->depth;
-    to->uz = (real)from->uz;
-    to->vz = (real)from->vz;
-    to->margin = (real)from->margin;
-    to->height = (real)from->height;
-}
-
 PSC_LANE void FN(fibre_world)(const struct FN(psc_disk_world) *w, real mirror, real x, real y,
                               real z, real direction[3])
 {
@@ -88,39 +18,21 @@ PSC_LANE void FN(fibre_world)(const struct FN(psc_disk_world) *w, real mirror, r
         direction[i] = mirror * (w->axis[i] + z * w->z[i]) + (x * w->x[i] + y * w->y[i]);
 }
 
-/* What the coordinates of a cone need of it. */
-struct FN(fibre_frame) {
-    real per[2], bt;
-};
-
-static struct FN(fibre_frame) FN(frame_of)(const struct psc_disk_light *l)
-{
-    const struct FN(fibre_frame) frame = {
-        {(real)(l->seen.ca / l->seen.a), (real)(l->seen.cb / l->seen.b)}, (real)l->seen.bt};
-
-    return frame;
-}
-
 /* ---- One sample ---- */
-
-PSC_LANE void FN(round_site)(const struct psc_fibre_site_f64 *from, struct FN(psc_fibre_site) *to)
-{
-    to->sine = (real)from->sine;
-    to->cosine = (real)from->cosine;
-    to->rise = (real)from->rise;
-}
 
 /* The fibre of a series that the horizon does not clip. */
 static void FN(find_whole)(const struct psc_fibres *f, const struct FN(psc_sheaf) *sheaf, real u,
                            struct FN(psc_fibre_site) *site)
 {
     struct FN(psc_fibre_series) series;
+    struct FN(series_view) q;
 
     (void)series;
     switch (f->rule) {
 #define FIND_CASE(i, m, most)                                                                     \
     case i:                                                                                       \
-        FN(series_find)(m, SERIES_OF(m, f, &series), sheaf, f->steps, u, K(1.0) - u, site);       \
+        q = FN(view_of)(SERIES_OF(m, f, &series));                                                \
+        FN(series_find)(m, &q, sheaf, f->steps, u, K(1.0) - u, site);                             \
         break;
         PSC_FIBRE_RULES(FIND_CASE)
 #undef FIND_CASE
@@ -218,22 +130,22 @@ PSC_LANE void FN(store_direction)(struct FN(fibre_directions) *to, size_t e,
         const struct P(psc_sheaf) sheaf = *from;                                                   \
         const int steps = f->steps;                                                                \
         struct P(psc_fibre_series) series;                                                         \
-        const struct P(psc_fibre_series) *const q = series_of(m, f, &series);                      \
+        const struct P(series_view) q = P(view_of)(series_of(m, f, &series));                      \
         number x[PSC_BLOCK], target[PSC_BLOCK], sign[PSC_BLOCK];                                   \
         size_t e;                                                                                  \
         int step;                                                                                  \
                                                                                                    \
         (void)series;                                                                              \
         for (e = 0; e < n; e++)                                                                    \
-            x[e] = P(series_start)(q, sheaf.clipped, sheaf.end, (number)u[e],                      \
+            x[e] = P(series_start)(&q, sheaf.clipped, sheaf.end, (number)u[e],                     \
                                    (number)1.0 - (number)u[e], &sign[e], &target[e]);              \
         for (step = 1; step < steps; step++)                                                       \
             for (e = 0; e < n; e++)                                                                \
-                x[e] = P(series_nearer)(m, q, sign[e], sheaf.end, target[e], x[e]);                \
+                x[e] = P(series_nearer)(m, &q, sign[e], sheaf.end, target[e], x[e]);               \
         for (e = 0; e < n; e++) {                                                                  \
             struct P(psc_fibre_site) site;                                                         \
                                                                                                    \
-            P(series_place)(m, q, &sheaf, sign[e], target[e], x[e], &site);                        \
+            P(series_place)(m, &q, &sheaf, sign[e], target[e], x[e], &site);                       \
             to->sine[e] = (real)site.sine;                                                         \
             to->cosine[e] = (real)site.cosine;                                                     \
             to->rise[e] = (real)site.rise;                                                         \

@@ -13,19 +13,36 @@
  * negated. Template: see precision.h.
  */
 
+/* A series, alone or as one of many that lie next to each other: stride from one coefficient to the
+   next. */
+struct FN(series_view) {
+    size_t stride;
+    const real *mean, *start, *even, *odd, *even_integral, *odd_integral, *even_slope, *odd_slope;
+};
+
+PSC_LANE struct FN(series_view) FN(view_of)(const struct FN(psc_fibre_series) *q)
+{
+    const struct FN(series_view) view = {1, &q->mean, q->start[0], q->even, q->odd,
+                                         q->even_integral, q->odd_integral, q->even_slope,
+                                         q->odd_slope};
+
+    return view;
+}
+
 /* The sum of c[k] x^k for k below n, a multiple of 4, in four chains. */
-PSC_LANE real FN(sum_by_fours)(int n, const real *c, real x)
+PSC_LANE real FN(sum_by_fours)(int n, size_t stride, const real *c, real x)
 {
     const real x2 = x * x, x4 = x2 * x2;
-    real a = c[n - 4], b = c[n - 3], d = c[n - 2], e = c[n - 1];
+    real a = c[(size_t)(n - 4) * stride], b = c[(size_t)(n - 3) * stride];
+    real d = c[(size_t)(n - 2) * stride], e = c[(size_t)(n - 1) * stride];
     int k;
 
     PSC_UNROLL
     for (k = n - 8; k >= 0; k -= 4) {
-        a = a * x4 + c[k];
-        b = b * x4 + c[k + 1];
-        d = d * x4 + c[k + 2];
-        e = e * x4 + c[k + 3];
+        a = a * x4 + c[(size_t)k * stride];
+        b = b * x4 + c[(size_t)(k + 1) * stride];
+        d = d * x4 + c[(size_t)(k + 2) * stride];
+        e = e * x4 + c[(size_t)(k + 3) * stride];
     }
     return (a + b * x) + x2 * (d + e * x);
 }
@@ -64,15 +81,15 @@ PSC_LANE void FN(arc_on)(real h, struct FN(fibre_arc) *o)
 }
 
 /* The integral up to a place from the top, or from the bottom (sign -1). */
-PSC_LANE real FN(series_integral)(int n, const struct FN(psc_fibre_series) *q, real sign,
+PSC_LANE real FN(series_integral)(int n, const struct FN(series_view) *q, real sign,
                                   const struct FN(fibre_arc) *at)
 {
     const real square = at->sine * at->sine, wave = K(1.0) - K(2.0) * square;
 
-    return q->mean * at->segment +
+    return *q->mean * at->segment +
            at->sine * square *
-               (at->cosine * FN(sum_by_fours)(n, q->even_integral, wave) +
-                sign * FN(sum_by_fours)(n, q->odd_integral, wave));
+               (at->cosine * FN(sum_by_fours)(n, q->stride, q->even_integral, wave) +
+                sign * FN(sum_by_fours)(n, q->stride, q->odd_integral, wave));
 }
 
 /*
@@ -80,15 +97,15 @@ PSC_LANE real FN(series_integral)(int n, const struct FN(psc_fibre_series) *q, r
  * fourth but for the second derivatives of A and B. With s and c of the place, y = sign c and
  * Q = A + y B, D = A' + y B' the density is s^2 Q, and Q' = -s (4 c D + sign B).
  */
-PSC_LANE real FN(series_step)(int n, const struct FN(psc_fibre_series) *q, real sign, real limit,
+PSC_LANE real FN(series_step)(int n, const struct FN(series_view) *q, real sign, real limit,
                               real target, const struct FN(fibre_arc) *at)
 {
     const real error = FN(series_integral)(n, q, sign, at) - target;
     const real s = at->sine, c = at->cosine, square = s * s, wave = K(1.0) - K(2.0) * square;
-    const real odd = sign * FN(sum_by_fours)(n, q->odd, wave);
-    const real odd_slope = sign * FN(sum_by_fours)(n, q->odd_slope, wave);
-    const real height = FN(sum_by_fours)(n, q->even, wave) + c * odd;
-    const real slope = FN(sum_by_fours)(n, q->even_slope, wave) + c * odd_slope;
+    const real odd = sign * FN(sum_by_fours)(n, q->stride, q->odd, wave);
+    const real odd_slope = sign * FN(sum_by_fours)(n, q->stride, q->odd_slope, wave);
+    const real height = FN(sum_by_fours)(n, q->stride, q->even, wave) + c * odd;
+    const real slope = FN(sum_by_fours)(n, q->stride, q->even_slope, wave) + c * odd_slope;
     const real drop = K(4.0) * c * slope + odd;
     const real bend = c * height - K(0.5) * square * drop; /* of the density, over 2 s */
     const real curve = (c * c - square) * height - K(2.5) * square * c * drop +
@@ -106,7 +123,7 @@ PSC_LANE real FN(series_step)(int n, const struct FN(psc_fibre_series) *q, real 
 
 /* Where to start for the share and the rest of the whole: from the top, or from the bottom of a
    whole cone (the sign is -1). */
-PSC_LANE real FN(series_start)(const struct FN(psc_fibre_series) *q, int clipped, real end,
+PSC_LANE real FN(series_start)(const struct FN(series_view) *q, int clipped, real end,
                                real share, real rest, real *sign, real *target)
 {
     /* as comparisons of numbers, which become vector code */
@@ -118,7 +135,8 @@ PSC_LANE real FN(series_start)(const struct FN(psc_fibre_series) *q, int clipped
     int i;
 
     for (i = 0; i < PSC_START_TERMS; i++)
-        c[i] = lower ? q->start[1][i] : q->start[0][i];
+        c[i] = lower ? q->start[(size_t)(PSC_START_TERMS + i) * q->stride]
+                     : q->start[(size_t)i * q->stride];
     x = root * (((c[0] + z * c[1]) + z2 * (c[2] + z * c[3])) +
                 z2 * z2 * ((c[4] + z * c[5]) + z2 * (c[6] + z * c[7])));
     *sign = mirrored ? K(-1.0) : K(1.0);
@@ -127,7 +145,7 @@ PSC_LANE real FN(series_start)(const struct FN(psc_fibre_series) *q, int clipped
 }
 
 /* All steps but the last give x, */
-PSC_LANE real FN(series_nearer)(int n, const struct FN(psc_fibre_series) *q, real sign, real end,
+PSC_LANE real FN(series_nearer)(int n, const struct FN(series_view) *q, real sign, real end,
                                 real target, real x)
 {
     struct FN(fibre_arc) at;
@@ -137,7 +155,7 @@ PSC_LANE real FN(series_nearer)(int n, const struct FN(psc_fibre_series) *q, rea
 }
 
 /* and that, which is small, the place. */
-PSC_LANE void FN(series_place)(int n, const struct FN(psc_fibre_series) *q,
+PSC_LANE void FN(series_place)(int n, const struct FN(series_view) *q,
                                const struct FN(psc_sheaf) *f, real sign, real target, real x,
                                struct FN(psc_fibre_site) *o)
 {
@@ -152,7 +170,7 @@ PSC_LANE void FN(series_place)(int n, const struct FN(psc_fibre_series) *q,
 
 /* The place that has the given share of the whole above it, and the rest below: without bounds, in
    a number of steps that is that of the build. */
-PSC_LANE void FN(series_find)(int n, const struct FN(psc_fibre_series) *q,
+PSC_LANE void FN(series_find)(int n, const struct FN(series_view) *q,
                               const struct FN(psc_sheaf) *f, int steps, real share, real rest,
                               struct FN(psc_fibre_site) *o)
 {

@@ -75,21 +75,25 @@ static inline void panel_site(const struct psc_fibres *f, double share, double r
 static inline void find_fibre(const struct psc_fibres *f, double share, double rest,
                               struct psc_fibre_site_f64 *o)
 {
+    const struct series_view_f64 q = view_of_f64(&f->series);
+
     switch (f->rule) {
 #define FIND_CASE(i, m, most) \
-    case i: series_find_f64(m, &f->series, &f->sheaf, f->steps, share, rest, o); break;
+    case i: series_find_f64(m, &q, &f->sheaf, f->steps, share, rest, o); break;
         PSC_FIBRE_RULES(FIND_CASE)
 #undef FIND_CASE
     default: panel_site(f, share, rest, o); break;
     }
 }
 
-PSC_LANE double series_share(int n, const struct psc_fibre_series_f64 *q, double sign, double x)
+PSC_LANE double series_share(int n, const struct psc_fibre_series_f64 *series, double sign,
+                             double x)
 {
+    const struct series_view_f64 q = view_of_f64(series);
     struct fibre_arc_f64 at;
 
     arc_of_f64(x, &at);
-    return series_integral_f64(n, q, sign, &at);
+    return series_integral_f64(n, &q, sign, &at);
 }
 
 /* The share above a place. */

@@ -344,7 +344,7 @@ PSC_API psc_result psc_build_cap(psc_sampler *sampler, const psc_technique *tech
  * is lit on both sides u goes on beyond the horizon to the fibre farthest below, each side having
  * its share of the total. Totals are within 3e-15 of themselves however little of the light is
  * above the horizon, u and v within 1e-14 of exact; needles of nearly half a turn (to 1e-4), seen
- * along their length, may lose digits, to 3e-11. Lights of up to 0.5 radians that are not just
+ * along their length, may lose digits, to 3e-11. Lights of up to 0.9 radians that are not just
  * touched by the horizon are fastest by far.
  * @param normal  any length but 0; the samples' normal
  * @param radius  finite; 0 is PSC_EMPTY
