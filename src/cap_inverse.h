@@ -80,8 +80,9 @@ PSC_LANE void invert_to_circle(const struct psc_lobe_f64 *l, int lune, double x,
         const double middle = d->depth - l->sin_b * d->height;
         const double by_depth = d->depth * (middle - l->sin_b * d->height);
         const double by_place = rho * rho * m2 - k2;
+        double per_m2;
 
-        *u = lune_area(l, sine, MAX(versine, 0.0)) / l->total;
+        *u = lune_area(l, sine, MAX(versine, 0.0), &per_m2) / l->total;
         /* From what a rounding of the direction changes less. */
         *share = (rho * m2 < rim * l->sin_a * middle ? by_place : by_depth) / (v * v);
     } else {

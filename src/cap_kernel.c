@@ -5,6 +5,7 @@
 
 #if PSC_REAL_BITS == 64
 #include "cap_directions.h"
+#include "sphere_quick.h"
 #endif
 
 #if PSC_REAL_BITS == 32
@@ -25,7 +26,7 @@
 #include "cap_kernel_tmpl.h"
 #include "cap_wave_tmpl.h"
 
-PSC_KERNEL(sphere, FN(cap_sample), FN(cap_sample_n), FN(sphere_wave), sphere_build, cap_pdfs,
-           cap_inverses);
+PSC_KERNEL_QUICK(sphere, sphere_quick, FN(cap_sample), FN(cap_sample_n), FN(sphere_wave),
+                 sphere_build, cap_pdfs, cap_inverses);
 PSC_KERNEL(cap, FN(cap_sample), FN(cap_sample_n), FN(distant_wave), distant_build, cap_pdfs,
            cap_inverses);

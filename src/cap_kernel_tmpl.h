@@ -68,13 +68,33 @@ static psc_result FN(area_sample)(const psc_sampler *s, const struct psc_side *s
     return FN(area_density)(&w, p.height, inverse, &out->weight);
 }
 
+/* The world's part of a sample; projected is that of the sampler, known to the compiler. */
+PSC_LANE psc_result FN(cap_finish)(const psc_sampler *s, const struct psc_side *side,
+                                   int projected, const struct FN(psc_point) *p,
+                                   FN(psc_light_sample) *out)
+{
+    struct FN(psc_cap_world) w;
+    psc_result status;
+
+    /* The constants in the order of their use, and no sooner: there are more than registers. */
+    FN(cap_measure)(s, side, &w);
+    w.projected = projected;
+    FN(cap_density)(&w, p->height, &out->pdf, &out->weight, &status);
+    FN(cap_frame)(side, &w);
+    FN(cap_direction)(&w, p->x, p->y, p->z, out->direction, out->direction + 1,
+                      out->direction + 2);
+    FN(cap_body)(s, side, &w);
+    FN(cap_surface)(&w, out->direction, p->x, p->y, p->z,
+                    FN(cap_depth)(&w, p->height, p->power, p->across), out->point, out->normal,
+                    &out->distance);
+    return status;
+}
+
 static psc_result FN(cap_sample)(const psc_sampler *s, real u, real v,
                                  FN(psc_light_sample) *out)
 {
     const struct psc_side *side;
-    struct FN(psc_cap_world) w;
     struct FN(psc_point) p;
-    psc_result status;
 
     if (s->sides == 0)
         return PSC_EMPTY;
@@ -97,16 +117,8 @@ static psc_result FN(cap_sample)(const psc_sampler *s, real u, real v,
     default:
         return PSC_EMPTY;
     }
-    /* The constants in the order of their use, and no sooner: there are more than registers. */
-    FN(cap_measure)(s, side, &w);
-    FN(cap_density)(&w, p.height, &out->pdf, &out->weight, &status);
-    FN(cap_frame)(side, &w);
-    FN(cap_direction)(&w, p.x, p.y, p.z, out->direction, out->direction + 1, out->direction + 2);
-    FN(cap_body)(s, side, &w);
-    FN(cap_surface)(&w, out->direction, p.x, p.y, p.z,
-                    FN(cap_depth)(&w, p.height, p.power, p.across), out->point, out->normal,
-                    &out->distance);
-    return status;
+    return s->projected ? FN(cap_finish)(s, side, 1, &p, out)
+                        : FN(cap_finish)(s, side, 0, &p, out);
 }
 
 /* ---- Blocks ---- */

@@ -36,18 +36,19 @@ PSC_LANE void rounded_off(const double from[3], const double to[3], double scale
  * rounded. inverse = 1 / its length, square its square. Returns the height of its end above the
  * receiver's plane; where that is within `close` of 0 or of the lengths -radius and radius, plain
  * products would cancel, and all are exact. Then the height has two words. So are the products of
- * the frame when the light is nearly straight above or below.
+ * the frame when the light is nearly straight above or below. plain: none of this is the case, see
+ * sphere_is_plain().
  */
-PSC_LANE void see_elevation(const double normal[3], const double from[3], const double to[3],
-                            double scale, const double vector[3], double inverse, double square,
-                            double radius, double close, struct psc_cap_view *o, double *height,
-                            double *height_low)
+PSC_LANE void see_elevation(int plain, const double normal[3], const double from[3],
+                            const double to[3], double scale, const double vector[3],
+                            double inverse, double square, double radius, double close,
+                            struct psc_cap_view *o, double *height, double *height_low)
 {
     double n[3] = {normal[0], normal[1], normal[2]}, n2 = dot(n, n);
     double length, shrink, reach2, reach, widen, across[3];
     int i, overhead = 0;
 
-    if (!is_fair(n2)) {
+    if (!plain && !is_fair(n2)) {
         scale_to_one(normal, n);
         n2 = dot(n, n);
     }
@@ -55,7 +56,7 @@ PSC_LANE void see_elevation(const double normal[3], const double from[3], const 
     shrink = 1.0 / length;
     *height = dot(n, vector) * shrink;
     *height_low = 0.0;
-    if (ABS(ABS(*height) - radius) < close || ABS(*height) < close) {
+    if (!plain && (ABS(ABS(*height) - radius) < close || ABS(*height) < close)) {
         double sum = 0.0, sum_low = 0.0, exact = 0.0, exact_low = 0.0, p, e, length_low;
         double low[3];
 
@@ -75,7 +76,7 @@ PSC_LANE void see_elevation(const double normal[3], const double from[3], const 
 
     cross_rounded(n, vector, across);
     reach2 = dot(across, across);
-    if (16.0 * reach2 <= n2 * square) { /* 0 where there is no distance */
+    if (!plain && 16.0 * reach2 <= n2 * square) { /* 0 where there is no distance */
         double low[3], along[3], other[3];
 
         rounded_off(from, to, scale, low);
@@ -111,9 +112,32 @@ PSC_LANE void see_around(struct psc_cap_view *o)
    cancelling, they are exact. */
 #define PSC_CLOSE 0.25
 
+/*
+ * Whether all is in range and plain products suffice for a sphere outside which the receiver is,
+ * as is so for most: then see_sphere() has no branch left. False for whatever is not finite. The
+ * compiler finds the common terms.
+ */
+PSC_LANE int sphere_is_plain(const double position[3], const double normal[3],
+                             const double center[3], double radius)
+{
+    const double offset[3] = {center[0] - position[0], center[1] - position[1],
+                              center[2] - position[2]};
+    const double square = dot(offset, offset), n2 = dot(normal, normal);
+    double across[3], height, close;
+
+    if (!(radius > 0.0 && is_fair(square) && is_fair(n2) &&
+          square - radius * radius >= PSC_CLOSE * square))
+        return 0;
+    cross_rounded(normal, offset, across);
+    height = ABS(dot(normal, offset) * (1.0 / SQRT(n2)));
+    close = PSC_CLOSE * SQRT(square);
+    return ABS(height - radius) >= close && height >= close &&
+           16.0 * dot(across, across) > n2 * square;
+}
+
 /* A sphere of positive radius; normal is NULL or not zero. Unit lengths overflow to NaN. */
-PSC_LANE void see_sphere(const double position[3], const double *normal, const double center[3],
-                         double radius, struct psc_cap_view *o)
+PSC_LANE void see_sphere_as(int plain, const double position[3], const double *normal,
+                            const double center[3], double radius, struct psc_cap_view *o)
 {
     double offset[3], square, square_r, inverse;
     int i, at_center;
@@ -125,7 +149,7 @@ PSC_LANE void see_sphere(const double position[3], const double *normal, const d
     o->radius = radius;
     square = dot(offset, offset);
     square_r = radius * radius;
-    if (!is_fair(MAX(square, square_r))) {
+    if (!plain && !is_fair(MAX(square, square_r))) {
         const double size = largest(offset);
 
         o->scale = unit_scale(MAX(size, radius));
@@ -138,7 +162,7 @@ PSC_LANE void see_sphere(const double position[3], const double *normal, const d
 
     o->distance = SQRT(square);
     o->power = square - square_r;
-    if (o->power < PSC_CLOSE * square) {
+    if (!plain && o->power < PSC_CLOSE * square) {
         /* Close to the surface, and from inside: every product with its rounding. */
         double high = 0.0, error = 0.0, low[3];
 
@@ -149,17 +173,19 @@ PSC_LANE void see_sphere(const double position[3], const double *normal, const d
         o->power = high + (error + 2.0 * dot(offset, low));
     }
 
-    at_center = !(o->distance > 0.0);
+    at_center = !plain && !(o->distance > 0.0);
     inverse = 1.0 / (at_center ? 1.0 : o->distance);
-    o->cap.sin_a = MIN(o->radius * inverse, 1.0);
-    o->cap.cos_a = SQRT(MAX(o->power, 0.0)) * inverse;
-    o->h0 = o->power < 0.0 ? 2.0 : psc_cap_versine(&o->cap);
+    o->cap.sin_a = plain ? o->radius * inverse : MIN(o->radius * inverse, 1.0);
+    o->cap.cos_a = SQRT(plain ? o->power : MAX(o->power, 0.0)) * inverse;
+    o->h0 = plain            ? o->cap.sin_a * o->cap.sin_a / (1.0 + o->cap.cos_a)
+            : o->power < 0.0 ? 2.0
+                             : psc_cap_versine(&o->cap);
     scale3(inverse, offset, o->axis);
 
     if (normal) {
         double height, height_low, sign, upright;
 
-        see_elevation(normal, position, center, o->scale, offset, inverse, square, o->radius,
+        see_elevation(plain, normal, position, center, o->scale, offset, inverse, square, o->radius,
                       PSC_CLOSE * o->distance, o, &height, &height_low);
         /* How far the horizon is inside the sphere decides what is left of a thin lune. */
         sign = COPYSIGN(1.0, height);
@@ -167,7 +193,7 @@ PSC_LANE void see_sphere(const double position[3], const double *normal, const d
                     (o->radius + sign * height) * (inverse * inverse);
         /* Straight above or below, where that is below the two words: cos^2 beta - cos^2 alpha. */
         upright = (o->cap.cos_b - o->cap.cos_a) * (o->cap.cos_b + o->cap.cos_a);
-        o->cap.q2 = o->cap.cos_b < 1e-8 ? upright : o->cap.q2;
+        o->cap.q2 = !plain && o->cap.cos_b < 1e-8 ? upright : o->cap.q2;
         if (at_center) {
             copy3(o->normal, o->axis);
             o->cap.sin_b = 1.0;
@@ -176,6 +202,12 @@ PSC_LANE void see_sphere(const double position[3], const double *normal, const d
         o->axis[2] = at_center ? 1.0 : o->axis[2];
         see_around(o);
     }
+}
+
+PSC_LANE void see_sphere(const double position[3], const double *normal, const double center[3],
+                         double radius, struct psc_cap_view *o)
+{
+    see_sphere_as(0, position, normal, center, radius, o);
 }
 
 #define PSC_PI_LOW 1.2246467991473532e-16 /* pi - PSC_PI */
@@ -218,7 +250,7 @@ PSC_LANE void see_cap(const double *normal, const double axis[3], double half_an
     if (normal) {
         double height, low, sb;
 
-        see_elevation(normal, origin, a, 1.0, a, inverse, square, o->cap.sin_a * length,
+        see_elevation(0, normal, origin, a, 1.0, a, inverse, square, o->cap.sin_a * length,
                       PSC_CLOSE * length, o, &height, &low);
         sb = ABS(o->cap.sin_b);
         /* sin^2 alpha - sin^2 beta, from whichever pair is smaller. */

@@ -11,7 +11,7 @@ struct FN(psc_cap_world) {
     real sin_a, cos_a, h0, sin_b;
     real radius, distance, slack;
     real total;
-    real rise, inverse_total; /* of the lobe; 1 / (total rise) */
+    real rise, inverse_total; /* of the lobe, for float's sake; 1 / (total rise) */
     enum psc_facing facing;
     int projected, inside, distant;
 };
@@ -36,8 +36,14 @@ PSC_LANE void FN(cap_measure)(const psc_sampler *s, const struct psc_side *side,
                               struct FN(psc_cap_world) *w)
 {
     w->total = (real)s->total;
+#if PSC_REAL_BITS == 64
+    (void)side;
+    w->rise = 1.0; /* the same bits: powers of two are exact */
+    w->inverse_total = s->inverse_total;
+#else
     w->rise = (real)side->lobe.rise;
     w->inverse_total = (real)(s->inverse_total * unit_inverse(side->lobe.rise));
+#endif
     w->facing = s->facing;
     w->projected = s->projected;
 }
@@ -124,8 +130,8 @@ PSC_LANE void FN(cap_hit)(const struct FN(psc_cap_world) *w, real depth, real *r
     const real whole = touching ? K(1.0) : sum, square = w->cos_a * w->cos_a;
     const real inverse = K(1.0) / (whole * w->sin_a);
 
-    *ratio = square / whole;
     *scale = square * inverse;
+    *ratio = *scale * w->sin_a;
     *axial = -(touching ? K(1.0) : d + w->h0 * w->cos_a + g) * inverse;
 }
 

@@ -16,13 +16,16 @@
 
 /* sample, sample_n, wave, build, pdf, invert. The last three work in double and serve both
    precisions: they stand in the table of doubles. */
+#define PSC_KERNEL(name, ...) PSC_KERNEL_QUICK(name, NULL, __VA_ARGS__)
+
+/* The same with a quick build, which is in the table of doubles, too. */
 #if PSC_REAL_BITS == 64
-#define PSC_KERNEL(name, ...)                                  \
+#define PSC_KERNEL_QUICK(name, quick, ...)                     \
     extern const struct psc_kernel_f64 PSC_KERNEL_TABLE(name); \
-    const struct psc_kernel_f64 PSC_KERNEL_TABLE(name) = {__VA_ARGS__}
+    const struct psc_kernel_f64 PSC_KERNEL_TABLE(name) = {__VA_ARGS__, quick}
 #else
-#define PSC_KERNEL(name, sample, sample_n, wave, build, pdf, invert) \
-    extern const struct psc_kernel_f32 PSC_KERNEL_TABLE(name);       \
+#define PSC_KERNEL_QUICK(name, quick, sample, sample_n, wave, build, pdf, invert) \
+    extern const struct psc_kernel_f32 PSC_KERNEL_TABLE(name);                    \
     const struct psc_kernel_f32 PSC_KERNEL_TABLE(name) = {sample, sample_n, wave}
 #endif
 

@@ -26,9 +26,9 @@
     X(rise)  /* a power of two: pdf is height rise / (total rise), for float's sake */      \
     /* Radial map: `circle` is the share of the horizon's circle [0, psi_l], `arc` that of  \
        the ellipse beyond it. */                                                            \
-    X(circle) X(arc) X(per_ellipse) X(psi_l) X(m) X(b1) X(c1) X(per_circle)                 \
+    X(circle) X(arc) X(per_ellipse) X(psi_l) X(m) X(m1) X(m2) X(m3) X(per_circle)           \
     /* Radial map of a lune: k = |a_x|, v0 = cos beta - cos alpha, and the start values. */ \
-    X(k) X(q2) X(v0) X(layer) X(layer_width) X(a1) X(a2) X(e0) X(q1) X(q2_fit) X(f0) X(f1)  \
+    X(k) X(q2) X(v0) X(layer) X(layer_width) X(a1) X(a2) X(a3) X(a4) X(a5)                  \
     /* Parallel map: chords beyond y_l have the share `whole` of the total. */              \
     X(whole) X(whole_scale) X(h_l) X(thickness) X(x_m) X(lam) X(mu) X(n) X(p0) X(p1) X(p2)  \
     /* Area maps: see area_map.h; total_area = 2 pi width. */                              \

@@ -23,9 +23,11 @@
 
 #include "lobe.h"
 #include "segment.h"
+#include "starts.h"
 
-/* F(psi), from sin psi and 1 - cos psi. */
-PSC_LANE double lune_area(const struct psc_lobe_f64 *l, double sine, double versine)
+/* F(psi), from sin psi and 1 - cos psi; per_m2 = 1 / (k^2 + v^2). */
+PSC_LANE double lune_area(const struct psc_lobe_f64 *l, double sine, double versine,
+                          double *per_m2)
 {
     const double sb = -l->sin_b, sb2 = sb * sb, k2 = l->k * l->k, s2 = sine * sine;
     const double cosine = 1.0 - versine;
@@ -44,7 +46,8 @@ PSC_LANE double lune_area(const struct psc_lobe_f64 *l, double sine, double vers
     double n, dn;
 
     n = segment(w_psi, w_theta, &dn);
-    return sine * c * v2 * (m * up * inverse_m) +
+    *per_m2 = m * up * inverse_m;
+    return sine * c * v2 * *per_m2 +
            (2.0 / 3.0) * sine * s2 *
                ((n * (v2 * m * up + k2 * (sb2 * l->q2 + v2)) -
                  k2 * sb2 * up * (dn * rise)) * inverse_m);
@@ -52,58 +55,44 @@ PSC_LANE double lune_area(const struct psc_lobe_f64 *l, double sine, double vers
 
 /* The tip layer: within v ~ k of a tip of the lune the remaining area is cubic, outside linear.
    An approximation to 9e-4 of the inverse of w - atan w, x^3 / 3 + h(x); only its smoothness
-   matters. */
+   matters. share is h(x) / x, which falls from 1 to 0. */
 #define PSC_TIP_A 0.18669119
 #define PSC_TIP_B 0.05217386
 
-PSC_LANE double tip_layer(double x)
+PSC_LANE double tip_layer(double x, double *share)
 {
     const double a = PSC_TIP_A, b = PSC_TIP_B;
 
-    return x * (x * x * (1.0 / 3.0) +
-                (1.0 + x * (a + b * x)) /
-                    (1.0 + x * (a + x * ((b + 2.0 / 15.0) + x * (2.0 * b / PSC_PI)))));
-}
-
-/* h'(x) and h''(x). */
-PSC_LANE void tip_slopes(double x, double *h1, double *h2)
-{
-    const double a = PSC_TIP_A, b = PSC_TIP_B, c = b + 2.0 / 15.0, d = 2.0 * b / PSC_PI;
-    const double inverse = 1.0 / (1.0 + x * (a + x * (c + x * d)));
-    const double slope = a + x * (2.0 * c + x * (3.0 * d));
-    const double h = x * (1.0 + x * (a + b * x)) * inverse;
-
-    *h1 = ((1.0 + x * (2.0 * a + x * (3.0 * b))) - h * slope) * inverse;
-    *h2 = ((2.0 * a + 6.0 * b * x) - 2.0 * *h1 * slope - h * (2.0 * c + 6.0 * d * x)) * inverse;
+    *share = (1.0 + x * (a + b * x)) /
+             (1.0 + x * (a + x * ((b + 2.0 / 15.0) + x * (2.0 * b / PSC_PI))));
+    return x * (x * x * (1.0 / 3.0) + *share);
 }
 
 /* The variable in which the distance from the tip is smooth, for r of the area remaining. */
 PSC_LANE double lune_variable(const struct psc_lobe_f64 *l, double r)
 {
-    const double c = rough_cbrt(r), w = tip_layer(l->layer * c) * l->layer_width;
+    double share;
 
-    return l->layer > 0.0 ? w : c;
+    return tip_layer(l->layer * rough_cbrt(r), &share) * l->layer_width;
 }
 
-/* psi where the share u = 1 - r of F is reached: start within 1.4e-3 of the distance from the
+/* psi where the share u = 1 - r of F is reached: start within 1.5e-3 of the distance from the
    tip, then one step of fourth order. */
 PSC_LANE void lune_solve(const struct psc_lobe_f64 *l, double u, double r, double *sine,
                          double *versine)
 {
-    const double w = lune_variable(l, r), w1 = 1.0 - w;
-    const double d = w * (l->a1 + w * (l->a2 + w * (l->e0 - w1 * (l->q1 - w1 * (l->q2_fit +
-                     w1 * (l->f0 + l->f1 * w))))));
+    const double w = lune_variable(l, r);
+    const double d = w * (l->a1 + w * (l->a2 + w * (l->a3 + w * (l->a4 + w * l->a5))));
     const double psi = l->psi_l * (1.0 - d);
     const double k2 = l->k * l->k;
     double sine_defect, v, v2, r2, weight, g, gv, gvv, gvvv, dv, ddv, w_1, w_2, w_3, f;
 
     sine_cosine_defects_f64(psi, &sine_defect, versine);
     *sine = psi - sine_defect;
-    f = lune_area(l, *sine, *versine) - u * l->total;
+    f = lune_area(l, *sine, *versine, &r2) - u * l->total;
 
     v = l->v0 - l->cos_b * *versine;
     v2 = v * v;
-    r2 = 1.0 / (k2 + v2);
     weight = l->del + l->x_e * *versine;
     g = v2 * r2;
     gv = 2.0 * k2 * v * (r2 * r2);
@@ -143,60 +132,34 @@ PSC_LANE void radial_lune_f64(const struct psc_lobe_f64 *l, double s, double t,
     p->across = SQRT(l->sin_b * p->height * (l->sin_b * p->height) + s * v2);
 }
 
-/* What the last factor of the start value has to be for it to be exact at psi = share psi_l. */
-PSC_LANE double lune_fit(const struct psc_lobe_f64 *l, double share, double per_total, double *w)
-{
-    const double psi = share * l->psi_l, d = 1.0 - share;
-    double sine_defect, versine, w1, per_w;
-
-    sine_cosine_defects_f64(psi, &sine_defect, &versine);
-    *w = lune_variable(l, 1.0 - lune_area(l, psi - sine_defect, versine) * per_total);
-    w1 = 1.0 - *w;
-    per_w = 1.0 / *w;
-    return (((d * per_w - l->a1) * per_w - l->a2) * per_w - l->e0 +
-            w1 * (l->q1 - w1 * l->q2_fit)) /
-           (w1 * w1 * w1);
-}
-
 /*
  * Completes a lobe for radial_lune_f64(): the start values. Needs psi_l and the total; q =
  * sqrt(q2). The distance from the tip, d = 1 - psi / psi_l, is a smooth function of
- * W(r) = w(layer cbrt r) / w(layer), where w(x) = x for lunes thin enough to have no layer:
- * value, slope and curvature at the tip and at u = 0, and two points between, fix it.
+ * W(r) = w(layer cbrt r) / w(layer). Its value, slope and curvature at the tip are known, the rest
+ * is a fit over all lunes (starts.py).
  */
 PSC_LANE void radial_lune_build(struct psc_lobe_f64 *l, double q)
 {
-    const double sb = -l->sin_b, k = l->k;
-    const double per_a2 = l->per_a * l->per_a, per_total = 1.0 / l->total, per_q = 1.0 / q;
-    const double per_psi = 1.0 / l->psi_l, x = l->total * q * per_a2 / k;
-    const int thick = q >= l->cos_a * sb;
-    const double layer = rough_cbrt(3.0 * x), width_thick = tip_layer(layer);
-    const double width = thick ? width_thick : layer, z = width * k * per_q;
-    double h1, h2, slope, bend, g, m0, d1, d2, fit0, fit1, w0, w1;
+    /* In units of sin alpha, so that nothing gets too small. */
+    const double per_a = l->per_a, across = q * per_a, b = -l->sin_b * per_a;
+    const double arc = l->psi_l * per_a;
+    const double inverse = 1.0 / (across * b * arc);
+    const double x = l->total * per_a * per_a * per_a * (across * across * arc * inverse);
+    const double layer = rough_cbrt(3.0 * x);
+    double share, e, g0, g1;
+    const double width = tip_layer(layer, &share);
+    const double per_across = b * arc * inverse;
 
-    tip_slopes(layer, &h1, &h2);
-    l->layer = thick ? layer : 0.0;
+    l->layer = layer;
     l->layer_width = 1.0 / width;
-    slope = (x + h1 * layer * (1.0 / 3.0)) * l->layer_width;
-    bend = (h2 * layer - 2.0 * h1) * layer * (1.0 / 9.0) * l->layer_width;
-    slope = thick ? slope : 1.0 / 3.0;
-    bend = thick ? bend : -2.0 / 9.0;
-
-    /* With x_l = cos alpha / cos beta and y_l = q / cos beta, the place of the tip. */
-    g = -0.75 * (l->cos_a * per_q + l->x_e * (q * per_a2) / l->cos_b);
-    l->a1 = z * per_psi;
-    l->a2 = -g * z * l->a1 * (1.0 / 3.0);
-    m0 = l->del * l->v0 * l->v0 / (k * k + l->v0 * l->v0) * l->psi_l * per_total;
-    d1 = 1.0 / (m0 * slope);
-    d2 = -bend * d1 * (m0 * d1 * (m0 * d1));
-    l->e0 = 1.0 - l->a1 - l->a2;
-    l->q1 = d1 - l->a1 - 2.0 * l->a2 - 3.0 * l->e0;
-    l->q2_fit = 0.5 * (d2 - 2.0 * l->a2 - 6.0 * l->e0 - 6.0 * l->q1);
-
-    fit0 = lune_fit(l, 0.38, per_total, &w0);
-    fit1 = lune_fit(l, 0.73, per_total, &w1);
-    l->f1 = (fit1 - fit0) / (w1 - w0);
-    l->f0 = fit0 - l->f1 * w0;
+    l->a1 = width * b * (b * inverse);
+    l->a2 = 0.25 * l->cos_a * (width * b) * (per_across * per_across + 1.0) * l->a1;
+    e = 1.0 - l->a1;
+    g0 = PSC_LUNE_0(share * share, e);
+    g1 = PSC_LUNE_1(share * share, e);
+    l->a3 = (e - l->a2) + g0;
+    l->a4 = g1 - g0;
+    l->a5 = -g1;
 }
 
 #endif

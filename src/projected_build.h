@@ -4,6 +4,7 @@
 #define PSC_SRC_PROJECTED_BUILD_H
 
 #include "cap_maps.h"
+#include "starts.h"
 #include "vector.h"
 
 /* What every map by projected solid angle needs: nothing in it cancels. */
@@ -47,16 +48,18 @@ PSC_LANE void ellipse_build(struct psc_lobe_f64 *l, const struct psc_cap *cap, d
 PSC_LANE double both_build(struct psc_lobe_f64 *l, const struct psc_cap *cap, double h0)
 {
     struct psc_cap c = *cap;
-    double q, ellipse, theta_l, psi2, sector, per_total;
+    double q, ellipse, theta_l, psi2, sector, per_total, cosines, inverse;
 
     c.sin_b = MAX(c.sin_b, 0.0);
     projected_base(l, &c, h0);
     l->rise = unit_scale(MAX(l->high, c.sin_b));
     q = SQRT(l->q2);
     ellipse = l->sin_a * l->sin_a * l->sin_b;
-    theta_l = twice_atan(q / (l->sin_a * l->cos_b + l->cos_a * l->sin_b));
-    l->v0 = l->q2 / (l->cos_a + l->cos_b);
-    l->psi_l = twice_atan(q / (l->cos_a + l->cos_b));
+    cosines = l->cos_a + l->cos_b;
+    inverse = q / (l->high * cosines);
+    theta_l = twice_atan(cosines * inverse);
+    l->v0 = q * (l->high * inverse);
+    l->psi_l = twice_atan(l->high * inverse);
     psi2 = l->psi_l * l->psi_l;
     sector = l->del * l->psi_l + l->x_e * (l->psi_l * psi2 * sine_polynomial_f64(psi2));
     l->total = sector + ellipse * (PSC_PI - theta_l);
@@ -66,61 +69,62 @@ PSC_LANE double both_build(struct psc_lobe_f64 *l, const struct psc_cap *cap, do
     return q;
 }
 
-/* Lune: at its tip the chord and v are 0, which leaves of both maps' areas the same
-   2/3 sin^3 psi_l (N(psi_l) (1 - |sin beta| / sin alpha) - ...). Returns sqrt(q2). */
+/*
+ * Lune: at its tip the chord and v are 0, which leaves of both maps' areas the same
+ *     2/3 sin^3 psi_l ((1 - b) N(psi_l) - b (N(theta_l) - N(psi_l))),  b = |sin beta| / sin alpha,
+ * with cos psi_l = cos alpha / cos beta and cos theta_l = b cos psi_l, and their complements
+ * v0 / cos beta and sin(alpha - |beta|) / (sin alpha cos beta). Returns sqrt(q2).
+ */
 PSC_LANE double lune_build(struct psc_lobe_f64 *l, const struct psc_cap *cap, double h0)
 {
-    const double q = SQRT(cap->q2), per_b = 1.0 / cap->cos_b, sine = q * per_b;
-    struct chord tip;
+    const double q = SQRT(cap->q2);
+    double steep, inverse, per_b, share, sine, sine2, cos_psi, cos_theta, v_psi, v_theta;
+    double d_psi, d_theta, rise, n, dn;
 
     projected_base(l, cap, h0);
-    l->high = l->q2 / (l->zc - cap->cos_a * cap->sin_b);
+    steep = l->zc - cap->cos_a * cap->sin_b; /* sin(alpha + |beta|) */
+    inverse = 1.0 / (steep * cap->cos_b);
+    per_b = steep * inverse;
+    l->high = l->q2 * (cap->cos_b * inverse);
     l->rise = unit_scale(l->high);
-    l->v0 = l->q2 / (l->cos_a + l->cos_b);
-    l->psi_l = twice_atan(q / (l->cos_a + l->cos_b));
+    share = q / (l->cos_a + l->cos_b);
+    l->v0 = q * share;
+    l->psi_l = twice_atan(share);
     l->k = -l->sin_a * l->sin_b;
     l->thickness = l->q2 / (l->sin_a * (l->sin_a - l->sin_b));
-    tip.sine = sine * l->per_a;
-    tip.cosine = -l->sin_b * l->cos_a * (l->per_a * per_b);
-    tip.y = sine;
-    tip.cos_psi = l->cos_a * per_b;
-    tip.length = 0.0;
-    l->total = chord_area(l, &tip);
+
+    sine = q * per_b;
+    sine2 = sine * sine;
+    cos_psi = l->cos_a * per_b;
+    v_psi = l->v0 * per_b;
+    cos_theta = -l->sin_b * cos_psi * l->per_a;
+    v_theta = l->high * (l->per_a * per_b);
+    d_psi = (1.0 + cos_psi) + PSC_KAPPA * v_psi;
+    d_theta = (1.0 + cos_theta) + PSC_KAPPA * v_theta;
+    share = 1.0 / (d_psi * d_theta);
+    n = segment(v_psi * (d_theta * share), v_theta * (d_psi * share), &dn);
+    /* The difference of its arguments, from that of the cosines. */
+    rise = 2.0 * (cos_psi * l->thickness) * share;
+    l->total = 2.0 / 3.0 * (sine * sine2) *
+               (l->thickness * n + l->sin_b * l->per_a * (dn * rise));
     return q;
 }
 
 /* Completes a lobe of the case "ellipse and lune" for radial_both(): the start value of Kepler's
-   equation, a rational function fitted at 0.45 psi_l and 0.8 psi_l. */
+   equation. */
 PSC_LANE void radial_both_build(struct psc_lobe_f64 *l)
 {
     const double psi_l = l->psi_l, psi2 = psi_l * psi_l;
     const double p_l = psi_l * psi2 * sine_polynomial_f64(psi2);
     const double linear = l->del * psi_l, ellipse = l->sin_a * l->sin_a * l->sin_b;
     const double sector = linear + l->x_e * p_l;
-    static const double nodes[2] = {0.45, 0.8};
-    double q[2], g[2], per_sector;
-    int i;
 
-    per_sector = sector > 0.0 ? 1.0 / sector : 0.0;
     l->per_ellipse = ellipse > 0.0 ? l->total / ellipse : 0.0;
-    l->per_circle = l->total * per_sector;
+    l->per_circle = sector > 0.0 ? l->total / sector : 0.0;
     l->m = linear > 0.0 ? l->x_e * p_l / linear : 0.0;
-    l->b1 = 0.0;
-    l->c1 = 0.0;
-    if (!(l->m >= 1e-12))
-        return;
-    PSC_UNROLL
-    for (i = 0; i < 2; i++) {
-        const double y = nodes[i], psi = y * psi_l;
-        const double p = psi * psi * psi * sine_polynomial_f64(psi * psi);
-        const double sum = l->del * psi + l->x_e * p, share = sum * per_sector;
-
-        q[i] = share * share;
-        g[i] = l->x_e * (y * p_l - p) / (sum * (1.0 - q[i]) * l->m);
-    }
-    l->b1 = ((g[0] - 1.0) * q[1] - (g[1] - 1.0) * q[0]) / (q[0] * q[1] * (g[1] - g[0]));
-    l->b1 = MIN(MAX(l->b1, 0.0), 3.0);
-    l->c1 = (g[0] * (1.0 + l->b1 * q[0]) - 1.0) / q[0];
+    l->m1 = l->m * PSC_KEPLER_0(l->m, psi2);
+    l->m2 = l->m * PSC_KEPLER_1(l->m, psi2);
+    l->m3 = l->m * PSC_KEPLER_2(l->m, psi2);
 }
 
 #endif

@@ -175,7 +175,8 @@ struct psc_results_f32 {
     psc_result status[PSC_BLOCK];
 };
 
-/* The status of an element that a wavefront kernel leaves to the calls for one. */
+/* The status of an element that a wavefront kernel leaves to the calls for one, and of a build that
+   the quick one leaves to that for all. */
 #define PSC_PENDING INT32_MAX
 
 /* A block of directions, and what is asked of them: in double for both precisions. */
@@ -210,6 +211,10 @@ struct psc_kernel_f64 {
     /* Fill pdf, or uv and status; the sampler is not empty. NULL: the calls for one do it. */
     void (*pdf)(const psc_sampler *sampler, struct psc_directions *directions);
     void (*invert)(const psc_sampler *sampler, struct psc_directions *directions);
+    /* Of a shape whose geometry is a vector and a scalar: checks and builds what single calls ask
+       for most, or returns PSC_PENDING and leaves it to build. NULL: none. */
+    psc_result (*quick)(psc_sampler *sampler, const psc_technique *technique,
+                        const psc_receiver *receiver, const double *vector, double scalar);
 };
 
 struct psc_kernel_f32 {
