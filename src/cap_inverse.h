@@ -126,24 +126,30 @@ PSC_LANE void invert_chord(const struct psc_lobe_f64 *l, enum psc_region region,
     const double half = l->sin_a * l->sin_b * cosine;
     const int lune = region == PSC_REGION_LUNE;
     /* of an ellipse beyond this chord */
-    const double beyond = segment_share(sine, cosine, square);
+    const double beyond = segment_share_f64(sine, cosine, square);
     /* The chord that is a point has its share 1/2 there. */
     double u = 1.0 - beyond, share = 0.5 + 0.5 * x / (half > 0.0 ? half : DBL_MAX);
 
     if (region != PSC_REGION_ELLIPSE) {
         const int whole = region == PSC_REGION_BOTH && beyond < l->whole * l->whole_scale;
-        const struct chord c = chord_at(l, lune, sine, cosine);
-        const double zl = l->high - l->zc * (sine * sine / (1.0 + cosine));
+        const double sn0 = lune ? sine * l->per_tip_sine : sine, sn = MIN(sn0, 1.0);
+        const struct chord_f64 c = chord_at_f64(l, lune, sn, cosine, (1.0 - sn) * (1.0 + sn));
+        const double length = l->chord_unit * c.length;
+        const double vt = sine * sine / (1.0 + cosine), zl = l->high - l->zc * vt;
         const double along = lune ? d->depth * (d->depth - 2.0 * l->sin_b * d->height) /
-                                        ((x - half) * c.length)
-                                  : (x + half) / c.length;
+                                        ((x - half) * length)
+                                  : (x + half) / length;
         /* As by_height(), at the horizon's end of the chord. */
-        const double slope = along * (c.length * c.length) + zl * zl;
+        const double slope = along * (length * length) + zl * zl;
         const double by_height = 1.0 - d->height * d->height / slope;
-        const double u_whole = 1.0 - beyond / l->whole_scale, u_cut = chord_area(l, &c) / l->total;
+        /* (theta - sin theta cos theta) / 2 */
+        const double sector = sine * sine * sine * (1.0 / 3.0) *
+                              segment_f64(vt / ((1.0 + cosine) + PSC_KAPPA * vt));
+        const double area = chord_area_f64(l, lune, &c) + (lune ? 0.0 : l->slant * sector);
+        const double u_whole = 1.0 - beyond / l->whole_scale, u_cut = area / l->area;
 
         u = whole ? u_whole : u_cut;
-        share = whole ? share : 4.0 * d->height * c.length < slope ? by_height : along;
+        share = whole ? share : 4.0 * d->height * length < slope ? by_height : along;
     }
     u = MIN(MAX(u, 0.0), 1.0);
     if (concentric) {

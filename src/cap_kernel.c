@@ -19,6 +19,8 @@
 #include "radial_map_tmpl.h"
 #include "chord_tmpl.h"
 #include "parallel_map_tmpl.h"
+#include "segment_tmpl.h"
+#include "clipped_map_tmpl.h"
 #endif
 
 #include "results_tmpl.h"

@@ -4,6 +4,7 @@
 #define PSC_SRC_CAP_MAPS_H
 
 #include "lobe.h"
+#include "segment.h"
 
 #define PSC_BITS 64
 #include "precision.h"
@@ -13,6 +14,7 @@
 #include "radial_map_tmpl.h"
 #include "chord_tmpl.h"
 #include "parallel_map_tmpl.h"
+#include "clipped_map_tmpl.h"
 #include "area_map.h"
 #include "lune_map.h"
 #include "parallel_map.h"

@@ -14,11 +14,11 @@
     X(RADIAL_BOTH, radial_both, 1)               \
     X(RADIAL_LUNE, radial_lune, 0)               \
     X(PARALLEL_ELLIPSE, parallel_ellipse, 1)     \
-    X(PARALLEL_BOTH, parallel_both, 0)           \
-    X(PARALLEL_LUNE, parallel_lune, 0)           \
+    X(PARALLEL_BOTH, parallel_both, 1)           \
+    X(PARALLEL_LUNE, parallel_lune, 1)           \
     X(CONCENTRIC_ELLIPSE, concentric_ellipse, 1) \
-    X(CONCENTRIC_BOTH, concentric_both, 0)       \
-    X(CONCENTRIC_LUNE, concentric_lune, 0)
+    X(CONCENTRIC_BOTH, concentric_both, 1)       \
+    X(CONCENTRIC_LUNE, concentric_lune, 1)
 
 #define PSC_CAP_ENUM(name, lane, native) PSC_CAP_##name,
 enum psc_cap_map {

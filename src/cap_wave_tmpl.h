@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
  * Wavefronts of caps: a block of elements is seen in one loop, sorted by what the horizon leaves
- * of each, built and sampled in one loop per kind, and finished in loops over the block. What
- * has no loop (a receiver inside a sphere, both sides of a clipped light) is left to the calls
- * for one; so are errors. The lane functions are those of the calls for one, so the bits
- * are too. Template: see precision.h.
+ * of each, built and sampled in one loop per kind, and finished in loops over the block. Of a light
+ * that the horizon of a two-sided receiver cuts, the side comes first. Errors are left to the calls
+ * for one, and so are area measures for receivers inside a sphere. The lane functions are those of
+ * the calls for one, so the bits are too. Template: see precision.h.
  */
 #if PSC_REAL_BITS == 64
 #define WAVE_LOBE(l) l
@@ -18,6 +18,7 @@ struct FN(packed) {
     double q2[PSC_BLOCK], h0[PSC_BLOCK], total[PSC_BLOCK], rise[PSC_BLOCK];
     real u[PSC_BLOCK], v[PSC_BLOCK];
     struct FN(psc_cap_points) points;
+    int32_t pairs[PSC_BLOCK]; /* as in psc_cap_points, for doubles, of which the builds are */
 };
 
 #define WAVE_LOOP(build, lane, native)                                                         \
@@ -37,6 +38,7 @@ struct FN(packed) {
             (void)l;                                                                           \
             CAP_NATIVE(native, lane, &l, &wide, k->u[i], k->v[i], &p);                         \
             CAP_STORE(&k->points, i, p);                                                       \
+            k->pairs[i] = (int32_t)k->u[i];                                                    \
             k->total[i] = wide.total;                                                          \
             k->rise[i] = wide.rise;                                                            \
         }                                                                                      \
@@ -47,11 +49,11 @@ WAVE_LOOP(build_ellipse, radial_ellipse, 1)
 WAVE_LOOP(build_radial_both, radial_both, 1)
 WAVE_LOOP(build_radial_lune, radial_lune, 0)
 WAVE_LOOP(build_ellipse, parallel_ellipse, 1)
-WAVE_LOOP(build_chord_both, parallel_both, 0)
-WAVE_LOOP(build_chord_lune, parallel_lune, 0)
+WAVE_LOOP(build_chord_both, parallel_both, 1)
+WAVE_LOOP(build_chord_lune, parallel_lune, 1)
 WAVE_LOOP(build_ellipse, concentric_ellipse, 1)
-WAVE_LOOP(build_chord_both, concentric_both, 0)
-WAVE_LOOP(build_chord_lune, concentric_lune, 0)
+WAVE_LOOP(build_chord_both, concentric_both, 1)
+WAVE_LOOP(build_chord_lune, concentric_lune, 1)
 #undef WAVE_LOOP
 
 typedef void (*FN(wave_loop))(struct FN(packed) *, size_t);
@@ -91,6 +93,62 @@ static void FN(wave_kind)(const struct views *o, const real *u, const real *v,
         to->across[i] = k.points.across[j];
         total[i] = k.total[j];
         rise[i] = k.rise[j];
+    }
+}
+
+/* Chooses, by u, a side of each element of KIND_CUT, and leaves the kind, the sign and the u that it
+   has there. whole: the total of both sides. */
+static void FN(wave_cuts)(struct views *o, const uint32_t *index, size_t n, real *u,
+                          double *whole)
+{
+    real within[PSC_BLOCK], given[PSC_BLOCK];
+    int32_t second[PSC_BLOCK];
+    struct cuts k;
+    size_t j;
+
+    for (j = 0; j < n; j++) {
+        const uint32_t i = index[j];
+
+        k.sin_a[j] = o->sin_a[i];
+        k.cos_a[j] = o->cos_a[i];
+        k.sin_b[j] = o->sin_b[i];
+        k.cos_b[j] = o->cos_b[i];
+        k.q2[j] = o->q2[i];
+        k.h0[j] = o->h0[i];
+        given[j] = u[i];
+    }
+    weigh_cuts(&k, n);
+    for (j = 0; j < n; j++)
+        second[j] = FN(pick_of_two)(k.above[j] / (k.above[j] + k.below[j]), given[j], &within[j]);
+    for (j = 0; j < n; j++) {
+        const uint32_t i = index[j];
+        const int one = !(k.above[j] > 0.0) | !(k.below[j] > 0.0);
+        const int below = one ? !(k.above[j] > 0.0) : second[j];
+        const int more = below ? !(o->sin_b[i] >= 0.0) : o->sin_b[i] >= 0.0;
+
+        o->kind[i] = !(k.above[j] + k.below[j] > 0.0) ? KIND_EMPTY
+                     : more || k.flat[j] > 0.0        ? KIND_BOTH
+                                                      : KIND_LUNE;
+        o->sign[i] = below ? -1.0 : 1.0;
+        u[i] = one ? given[j] : within[j];
+        whole[i] = k.above[j] + k.below[j];
+    }
+}
+
+/* Of a two-sided receiver inside a sphere, the side that u chooses. */
+static void FN(wave_insides)(struct views *o, real *u, double *whole)
+{
+    size_t j;
+    int c;
+
+    for (j = 0; j < o->insides; j++) {
+        const uint32_t i = o->inside[j];
+        const double sign = FN(pick_of_two)(0.5, u[i], &u[i]) ? -1.0 : 1.0;
+
+        o->sign[i] = o->sin_b[i] = sign; /* either side is seen from above */
+        for (c = 0; c < 3; c++)
+            o->axis[c][i] = sign * o->normal[c][i];
+        whole[i] = 2.0 * PSC_PI;
     }
 }
 
@@ -217,6 +275,33 @@ static void FN(wave_surfaces)(const struct psc_wave *wave, const struct views *o
     }
 }
 
+/* The same for the receivers inside their spheres, which look at the far side. */
+static void FN(wave_far_sides)(const struct psc_wave *wave, const struct views *o,
+                               struct FN(psc_results) *r)
+{
+    real(*to)[PSC_BLOCK] = r->value;
+    size_t j;
+    int c;
+
+    for (j = 0; j < o->insides; j++) {
+        const uint32_t i = o->inside[j];
+        real direction[3] = {to[0][i], to[1][i], to[2][i]}, point[3], normal[3], distance;
+        struct FN(psc_cap_world) w;
+
+        w.distant = 0;
+        w.inside = 1;
+        w.radius = (real)wave->geometry[3][i];
+        w.slack = (real)(-o->power[i] / (o->radius[i] * o->radius[i]));
+        for (c = 0; c < 3; c++) {
+            w.center[c] = (real)wave->geometry[c][i];
+            w.offset[c] = (real)((wave->geometry[c][i] - wave->position[c][i]) * o->scale[i] /
+                                 o->radius[i]);
+        }
+        FN(cap_surface)(&w, direction, K(0.0), K(0.0), K(0.0), K(0.0), point, normal, &distance);
+        FN(store_surface)(r, i, point, normal, distance, K(0.0), K(0.0));
+    }
+}
+
 /* ---- Area ---- */
 
 #define AREA_WAVE(lane, concentric)                                                            \
@@ -282,18 +367,31 @@ static void FN(wave_areas)(const struct psc_wave *wave, const struct views *o, c
 }
 
 /* Everything after seeing. */
-static void FN(wave_views)(const struct psc_wave *wave, const struct views *o, const real *u,
+static void FN(wave_views)(const struct psc_wave *wave, struct views *o, const real *u,
                            const real *v, int distant, struct FN(psc_results) *r)
 {
-    uint32_t index[KIND_COUNT][PSC_BLOCK];
-    size_t count[KIND_COUNT] = {0}, i;
+    const int projected = wave->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE;
+    const int both = projected && wave->facing == PSC_FACING_BOTH;
+    uint32_t index[KIND_COUNT][PSC_BLOCK], cut[PSC_BLOCK];
+    size_t count[KIND_COUNT] = {0}, cuts = 0, i;
     struct FN(psc_cap_points) points;
-    double total[PSC_BLOCK], rise[PSC_BLOCK];
+    double total[PSC_BLOCK], rise[PSC_BLOCK], whole[PSC_BLOCK];
+    real within[PSC_BLOCK];
     int kind;
 
     if (is_area_measure(wave->measure)) {
         FN(wave_areas)(wave, o, u, v, r);
         return;
+    }
+    if (both) {
+        for (i = 0; i < wave->count; i++) {
+            within[i] = u[i];
+            if (o->kind[i] == KIND_CUT)
+                cut[cuts++] = (uint32_t)i;
+        }
+        FN(wave_cuts)(o, cut, cuts, within, whole);
+        FN(wave_insides)(o, within, whole);
+        u = within;
     }
     for (i = 0; i < wave->count; i++) {
         const int32_t k = o->kind[i];
@@ -314,13 +412,21 @@ static void FN(wave_views)(const struct psc_wave *wave, const struct views *o, c
                           kind == KIND_CONE ? cone_map(wave->map)
                                             : projected_map(wave->map, REGION_OF_KIND(kind)),
                           &points, total, rise);
-    if (wave->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE)
+    if (both) {
+        for (i = 0; i < cuts; i++)
+            total[cut[i]] = whole[cut[i]];
+        for (i = 0; i < o->insides; i++)
+            total[o->inside[i]] = whole[o->inside[i]];
+    }
+    if (projected)
         FN(wave_projected_directions)(wave, o, &points, r);
     else
         FN(wave_cone_directions)(wave, o, &points, r);
     FN(wave_densities)(wave, o, &points, total, rise, r);
-    if (wave->surface)
+    if (wave->surface) {
         FN(wave_surfaces)(wave, o, &points, distant, 0, r);
+        FN(wave_far_sides)(wave, o, r);
+    }
 }
 
 static void FN(sphere_wave)(const struct psc_wave *wave, const real *u, const real *v,
@@ -332,6 +438,8 @@ static void FN(sphere_wave)(const struct psc_wave *wave, const real *u, const re
         see_spheres_around(wave, &o);
     else
         see_spheres(wave, &o);
+    o.insides = 0;
+    enter_spheres(wave, &o);
     FN(wave_views)(wave, &o, u, v, 0, r);
 }
 
@@ -344,5 +452,6 @@ static void FN(distant_wave)(const struct psc_wave *wave, const real *u, const r
         see_caps_around(wave, &o);
     else
         see_caps(wave, &o);
+    o.insides = 0;
     FN(wave_views)(wave, &o, u, v, 1, r);
 }

@@ -262,7 +262,7 @@ static void invert_area(const struct psc_disk_light *l, const struct seen *d, do
     } else {
         const double sine = MIN(ABS(t), 1.0), square = MAX((1.0 - sine) * (1.0 + sine), 0.0);
         const double half = SQRT(square);
-        const double share = segment_share(sine, half, square);
+        const double share = segment_share_f64(sine, half, square);
 
         uv[0] = 0.5 + COPYSIGN(0.5 * (1.0 - share), t);
         uv[1] = half > 0.0 ? 0.5 * (1.0 + s / half) : 0.5;

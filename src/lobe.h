@@ -29,8 +29,11 @@
     X(circle) X(arc) X(per_ellipse) X(psi_l) X(m) X(m1) X(m2) X(m3) X(per_circle)           \
     /* Radial map of a lune: k = |a_x|, v0 = cos beta - cos alpha, and the start values. */ \
     X(k) X(q2) X(v0) X(layer) X(layer_width) X(a1) X(a2) X(a3) X(a4) X(a5)                  \
-    /* Parallel map: chords beyond y_l have the share `whole` of the total. */              \
-    X(whole) X(whole_scale) X(h_l) X(thickness) X(x_m) X(lam) X(mu) X(n) X(p0) X(p1) X(p2)  \
+    /* Parallel map, see clipped_map_tmpl.h: the units, and the start values. Chords beyond \
+       y_l have the share `whole` of the total. */                                          \
+    X(slant) X(half_slant) X(base) X(tip_sine) X(per_tip_sine) X(tip_cosine)                \
+    X(tip_cos_psi) X(tip_y) X(thickness) X(area) X(chord_unit)                              \
+    X(whole) X(whole_scale) X(x_m) X(lam) X(mu) X(n) X(p0) X(p1) X(p2)                      \
     /* Area maps: see area_map.h; total_area = 2 pi width. */                              \
     X(delta) X(gap) X(width) X(visible) X(total_area)
 

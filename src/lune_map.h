@@ -45,7 +45,7 @@ PSC_LANE double lune_area(const struct psc_lobe_f64 *l, double sine, double vers
     const double rise = 2.0 * s2 * gap * (sb * cosine + c) * mc * inverse_d;
     double n, dn;
 
-    n = segment(w_psi, w_theta, &dn);
+    n = segment_difference_f64(w_psi, w_theta, 0, &dn);
     *per_m2 = m * up * inverse_m;
     return sine * c * v2 * *per_m2 +
            (2.0 / 3.0) * sine * s2 *

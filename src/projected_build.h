@@ -79,7 +79,7 @@ PSC_LANE double lune_build(struct psc_lobe_f64 *l, const struct psc_cap *cap, do
 {
     const double q = SQRT(cap->q2);
     double steep, inverse, per_b, share, sine, sine2, cos_psi, cos_theta, v_psi, v_theta;
-    double d_psi, d_theta, rise, n, dn;
+    double d_psi, d_theta, thickness, rise, n, dn;
 
     projected_base(l, cap, h0);
     steep = l->zc - cap->cos_a * cap->sin_b; /* sin(alpha + |beta|) */
@@ -91,7 +91,7 @@ PSC_LANE double lune_build(struct psc_lobe_f64 *l, const struct psc_cap *cap, do
     l->v0 = q * share;
     l->psi_l = twice_atan(share);
     l->k = -l->sin_a * l->sin_b;
-    l->thickness = l->q2 / (l->sin_a * (l->sin_a - l->sin_b));
+    thickness = l->q2 / (l->sin_a * (l->sin_a - l->sin_b)); /* 1 - b */
 
     sine = q * per_b;
     sine2 = sine * sine;
@@ -102,11 +102,11 @@ PSC_LANE double lune_build(struct psc_lobe_f64 *l, const struct psc_cap *cap, do
     d_psi = (1.0 + cos_psi) + PSC_KAPPA * v_psi;
     d_theta = (1.0 + cos_theta) + PSC_KAPPA * v_theta;
     share = 1.0 / (d_psi * d_theta);
-    n = segment(v_psi * (d_theta * share), v_theta * (d_psi * share), &dn);
+    n = segment_difference_f64(v_psi * (d_theta * share), v_theta * (d_psi * share), 0, &dn);
     /* The difference of its arguments, from that of the cosines. */
-    rise = 2.0 * (cos_psi * l->thickness) * share;
+    rise = 2.0 * (cos_psi * thickness) * share;
     l->total = 2.0 / 3.0 * (sine * sine2) *
-               (l->thickness * n + l->sin_b * l->per_a * (dn * rise));
+               (thickness * n + l->sin_b * l->per_a * (dn * rise));
     return q;
 }
 

@@ -5,21 +5,26 @@
  * precision.h.
  */
 
-/* The side that u falls to, and u within it: both sides have u = 0 inside and meet at 1, on the
-   horizon. */
+/* The side that u falls to, of two of which the first has the share split, and u within it: both
+   have u = 0 inside and meet at 1, on the horizon. */
+PSC_LANE int FN(pick_of_two)(double split, real u, real *within)
+{
+    const real first = (real)split, second = (real)(1.0 - split);
+    /* A second side may be less than rounding. */
+    const int i = (u >= first) & (second > K(0.0));
+
+    u = i ? (K(1.0) - u) / second : u / first;
+    *within = MIN(u, K(1.0));
+    return i;
+}
+
 PSC_LANE int FN(pick_side)(const psc_sampler *s, real u, real *within)
 {
-    const real first = (real)s->split, second = (real)(1.0 - s->split);
-    int i;
-
     if (s->sides == 1) {
         *within = u;
         return 0;
     }
-    i = u >= first && second > K(0.0); /* a second side may be less than rounding */
-    u = i ? (K(1.0) - u) / second : u / first;
-    *within = MIN(u, K(1.0));
-    return i;
+    return FN(pick_of_two)(s->split, u, within);
 }
 
 /* Fills the results of n samples, at most a block, of one side: direction, pdf, weight and

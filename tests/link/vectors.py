@@ -21,6 +21,7 @@ LOOPS = [
     ("cap", r"block_\w+_f\d\d", ()),
     ("cap", r"wave_(radial|parallel|concentric)_\w+_f\d\d", ()),
     ("cap", r"wave_(cone|projected)_directions_f\d\d", ()),
+    ("cap", r"weigh_cuts|wave_views_f\d\d", ()),
     ("cap", r"pdf_(cone|projected|area|area_inside)", ()),
     ("cap", r"look_(cone|projected)", ("base",)), # SSE2 has no choice between doubles by integers
     ("cap", r"invert_(radial|parallel|concentric)_\w+", ()),
@@ -41,7 +42,7 @@ LOOPS = [
     ("polygon", r"triangle_wave_f\d\d", ("base",)),
 ]
 # Those that a compiler may have inlined into what calls them.
-MAY_BE_MISSING = r"wave_(cone|projected)_directions|(fan|plain)_block|triangle_wave"
+MAY_BE_MISSING = r"weigh_cuts|wave_(cone|projected)_directions|(fan|plain)_block|triangle_wave"
 DOUBLE_ONLY = r"pdf_|look_|invert_"
 
 ARITHMETIC = re.compile(r"v?(?:add|sub|mul|div|sqrt|fn?m(?:add|sub)\d+)(p|s)[sd]$")
