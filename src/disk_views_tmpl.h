@@ -228,8 +228,9 @@ static int FN(wave_checks)(const struct psc_wave *wave, size_t i)
                           wave->normal[1][i] != 0.0 || wave->normal[2][i] != 0.0);
 }
 
-static psc_result FN(view_one)(const struct psc_wave *wave, FN(disk_see) see, size_t i,
-                               psc_sampler *s)
+/* Sees element i. */
+static psc_result FN(see_element)(const struct psc_wave *wave, FN(disk_see) see, size_t i,
+                                  psc_sampler *s)
 {
     const double position[3] = {wave->position[0][i], wave->position[1][i],
                                 wave->position[2][i]};
@@ -252,11 +253,19 @@ static psc_result FN(view_one)(const struct psc_wave *wave, FN(disk_see) see, si
     for (k = 0; k < wave->parts; k++)
         geometry[k] = wave->geometry[k][i];
     result = see(s, &request, geometry);
-    if (result < 0 || s->disk.inside || !(s->disk.seen.ca > 0.0))
-        return result == PSC_EMPTY ? PSC_EMPTY : PSC_PENDING;
+    return result < 0 ? PSC_PENDING : result;
+}
+
+static psc_result FN(view_one)(const struct psc_wave *wave, FN(disk_see) see, size_t i,
+                               psc_sampler *s)
+{
+    const psc_result result = FN(see_element)(wave, see, i, s);
+
     if (result != PSC_SUCCESS)
         return result;
-    disk_head(s, request.table);
+    if (s->disk.inside || !(s->disk.seen.ca > 0.0))
+        return PSC_PENDING;
+    disk_head(s, wave->table);
     s->inverse_total = 1.0 / s->total;
     return !(s->total > 0.0)                                              ? PSC_EMPTY
            : wave->measure == PSC_MEASURE_AREA && !AREA_FITS(&s->disk) ? PSC_PENDING
