@@ -2,7 +2,8 @@
 /*
  * Wavefronts of triangles by solid angle: a loop in double that sees and builds a block of
  * elements, then loops that sample it. The lane functions are those of the calls for one, so the
- * bits are too. What is left to those: errors, what takes exact products, area, and other shapes.
+ * bits are too. What takes exact products goes another way (polygon_exact_wave_tmpl.h); what is left
+ * to the calls for one: errors, lights without size, area, and other shapes.
  * Template: see precision.h.
  */
 
@@ -99,6 +100,43 @@ BUILD_LOOP(build_around_whole, 0, 1)
 BUILD_LOOP(build_above_whole, 1, 1)
 #undef BUILD_LOOP
 
+/* Density, weight and status of samples whose directions are there. */
+PSC_LANE void FN(weigh_elements)(enum psc_facing facing, size_t n,
+                                 const real (*restrict normal)[PSC_BLOCK],
+                                 const real *restrict pdf, const real *restrict total,
+                                 const int32_t *restrict status, struct FN(psc_results) *restrict r)
+{
+    size_t i;
+
+    for (i = 0; i < n; i++) {
+        const real direction[3] = {r->value[0][i], r->value[1][i], r->value[2][i]};
+        const real up[3] = {normal[0][i], normal[1][i], normal[2][i]};
+        const real height = FN(fan_height)(up, direction);
+
+        r->value[PSC_PDF][i] = pdf[i];
+        r->value[PSC_WEIGHT][i] = total[i] * FN(fan_cosine)(facing, height);
+    }
+    for (i = 0; i < n; i++)
+        r->status[i] = status[i] != PSC_SUCCESS           ? status[i]
+                       : r->value[PSC_WEIGHT][i] > K(0.0) ? PSC_SUCCESS
+                                                          : PSC_CULLED;
+}
+
+/* The triangle in world space. */
+PSC_LANE void FN(load_face)(const struct psc_wave *wave, size_t i, struct FN(psc_face) *face)
+{
+    int k;
+
+    PSC_UNROLL
+    for (k = 0; k < 3; k++) {
+        face->pivot[k] = (real)wave->geometry[3 + k][i];
+        face->edge_a[k] = (real)(wave->geometry[k][i] - wave->geometry[3 + k][i]);
+        face->edge_c[k] = (real)(wave->geometry[6 + k][i] - wave->geometry[3 + k][i]);
+    }
+    face->s_a = face->s_c = face->t_a = face->t_b = K(0.0);
+    face->s_b = face->t_c = K(1.0);
+}
+
 static void FN(sample_elements)(const struct psc_wave *restrict wave,
                                 const struct FN(psc_fans) *restrict f, const real *restrict u,
                                 const real *restrict v, struct FN(psc_results) *restrict r)
@@ -134,31 +172,15 @@ static void FN(sample_elements)(const struct psc_wave *restrict wave,
         a[i] = p.a;
         c[i] = p.c;
     }
-    for (i = 0; i < n; i++) {
-        const real direction[3] = {r->value[0][i], r->value[1][i], r->value[2][i]};
-        const real up[3] = {f->up[0][i], f->up[1][i], f->up[2][i]};
-        const real height = FN(fan_height)(up, direction);
-
-        r->value[PSC_PDF][i] = f->pdf[i];
-        r->value[PSC_WEIGHT][i] = f->total[i] * FN(fan_cosine)(facing, height);
-    }
-    for (i = 0; i < n; i++)
-        r->status[i] = f->status[i] != PSC_SUCCESS        ? f->status[i]
-                       : r->value[PSC_WEIGHT][i] > K(0.0) ? PSC_SUCCESS
-                                                          : PSC_CULLED;
+    FN(weigh_elements)(facing, n, (const real(*)[PSC_BLOCK])f->up, f->pdf, f->total, f->status, r);
     for (i = 0; wave->surface && i < n; i++) {
         const struct FN(psc_spot) p = {b[i], a[i], c[i]};
         const real normal[3] = {f->normal[0][i], f->normal[1][i], f->normal[2][i]};
         real share[3], distance, point[3], first, second;
-        struct FN(psc_face) face = {.s_b = K(1.0), .t_c = K(1.0)};
+        struct FN(psc_face) face;
         struct FN(psc_fan) fan;
-        int k;
 
-        for (k = 0; k < 3; k++) {
-            face.pivot[k] = (real)wave->geometry[3 + k][i];
-            face.edge_a[k] = (real)(wave->geometry[k][i] - wave->geometry[3 + k][i]);
-            face.edge_c[k] = (real)(wave->geometry[6 + k][i] - wave->geometry[3 + k][i]);
-        }
+        FN(load_face)(wave, i, &face);
         fan.share_a = f->share_a[i];
         fan.share_c = f->share_c[i];
         fan.slant = f->slant[i];
@@ -197,6 +219,8 @@ static void FN(find_hidden)(const struct psc_wave *restrict wave, struct FN(psc_
                                                         : r->status[i];
 }
 
+#include "polygon_exact_wave_tmpl.h"
+
 /* Leaves a block to the calls for one. */
 static void FN(pending_wave)(const struct psc_wave *wave, const real *u, const real *v,
                              struct FN(psc_results) *r)
@@ -224,6 +248,7 @@ static void FN(triangle_wave)(const struct psc_wave *wave, const real *u, const 
     else
         (wave->surface ? FN(build_above_whole) : FN(build_above))(wave, &fans);
     FN(sample_elements)(wave, &fans, u, v, r);
+    FN(exact_elements)(wave, u, v, r);
     if (wave->facing != PSC_FACING_ONE)
         return;
     /* What rounding may have put above the plane is still next to it. */
