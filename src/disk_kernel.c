@@ -25,6 +25,7 @@
 #include "fibre_round_tmpl.h"
 #include "fibre_kernel_tmpl.h"
 #include "fibre_lanes_tmpl.h"
+#include "disk_views_tmpl.h"
 #include "fibre_wave_tmpl.h"
 #include "disk_wave_tmpl.h"
 

@@ -5,8 +5,6 @@
  * finished. The lane functions are those of the calls for one, so the bits are too. Errors, and
  * what has no rule, are left to the calls for one. Template: see precision.h.
  */
-#include "disk_views_tmpl.h"
-
 /* The elements of one rule, packed: few at a time, so that all of it is near. */
 #define FIT_BLOCK 32
 
