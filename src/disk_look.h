@@ -105,9 +105,9 @@ PSC_LANE void look_at_disk(const double position[3], const double geometry[7],
     e->cb = root_lp * size;
     o->outline.near = m1 * size;
     o->outline.far = m2 * size;
-    size = 1.0 / root_lp;
-    e->at = o->radius * size;
-    e->bt = root_lm * size;
+    /* Divided: what the horizon leaves of a light may hang on their last digits. */
+    e->at = o->radius / root_lp;
+    e->bt = root_lm / root_lp;
     o->seen = root_lp > 0.0 ? root_lm : 0.0;
 
     /* up: the normal away from the receiver; foot: in the plane towards the centre */

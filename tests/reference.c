@@ -313,8 +313,10 @@ static int before_tip(const struct reference *r, const struct reference_integral
 void reference_parallel_sample(const struct reference *r, quad s, quad t, quad offset[3])
 {
     quad target = area_before(r, t), x_e = r->ca * r->cb, sine, cosine, x, chord, height2 = -1;
+    /* The last chord is the ellipse's end, be the area beyond the tip less than quadrature sees. */
+    int last = (t == 0 || t == 1) && r->visible == REFERENCE_BOTH;
 
-    if (before_tip(r, &r->chords, target)) {
+    if (!last && before_tip(r, &r->chords, target)) {
         quad tau = solve(r, chords_to, chord_density, 0, r->chords.end, target);
         quad w = 1 + tau * tau;
         sine = 2 * tau / w;
@@ -325,8 +327,9 @@ void reference_parallel_sample(const struct reference *r, quad s, quad t, quad o
     } else {
         quad first = r->visible == REFERENCE_ELLIPSE ? 0 : r->theta_tip;
         quad skipped = r->visible == REFERENCE_ELLIPSE ? 0 : r->chords.below[r->chords.panels];
-        quad theta = solve(r, ellipse_chords, ellipse_chords_slope, first, quad_acos(0),
-                           target - skipped + ellipse_chords(r, first));
+        quad theta = last ? quad_acos(0)
+                          : solve(r, ellipse_chords, ellipse_chords_slope, first, quad_acos(0),
+                                  target - skipped + ellipse_chords(r, first));
         sine = quad_sin(theta);
         cosine = quad_cos(theta);
         chord = 2 * r->sa * r->sb * cosine;
