@@ -212,7 +212,10 @@ void reference_in_fan(const struct reference_fan *f, const quad w[3], double tur
     f2 = far_side_from(f, found, angle + step);
     uv[0] = (before + fan_integral(c, angle)) / total;
     uv[1] = versine / f0;
-    open[0] = (double)(step * fmax(fmax((double)f0, (double)f1), (double)f2) / total);
+    /* At the vertex itself every direction around it is right. */
+    open[0] = across > turn
+                  ? (double)(step * fmax(fmax((double)f0, (double)f1), (double)f2) / total)
+                  : HUGE_VAL;
     open[1] = (double)(turn * (across + turn) / f0 + quad_abs(versine / f1 - versine / f0) +
                        quad_abs(versine / f2 - versine / f0));
 }

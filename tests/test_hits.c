@@ -120,7 +120,8 @@ static int in_plane(const struct light *light, double reach)
 {
     double normal[3], to[3];
 
-    if (part_count(light->shape) <= 3)
+    if (part_count(light->shape) <= 3 ||
+        light->what->measure != PSC_MEASURE_PROJECTED_SOLID_ANGLE)
         return 0;
     light->shape->surface(light->geometry, light->middle, normal);
     subtract3(light->middle, light->position, to);

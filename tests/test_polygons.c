@@ -216,7 +216,9 @@ static void sweep(const struct shape *shape, const struct test_technique *what)
 
 int main(void)
 {
-    static const struct shape *const those[] = {&shape_triangle, &shape_rectangle, &shape_polygon5};
+    static const struct shape *const those[] = {&shape_triangle, &shape_rectangle, &shape_polygon3,
+                                                &shape_polygon4, &shape_polygon5,  &shape_polygon8,
+                                                &shape_polygon16};
     const struct test_technique *what;
     size_t i;
 
