@@ -24,8 +24,8 @@
 #define PSC_MOST_TERMS_F64 24
 #define PSC_MOST_TERMS_F32 12
 
-/* The same of the parallel map, see span_fit_tmpl.h, by the smallest cos alpha: the share of a chord
-   to 2e-15 at the lower end of the last rule and 1e-16 elsewhere, 4e-8 in float. */
+/* The same of the parallel map, see span_fit_tmpl.h, by the smallest cos alpha: the share of a
+   chord to 2e-15 at the lower end of the last rule and 1e-16 elsewhere, 4e-8 in float. */
 #define PSC_SPAN_RULES_F64(X) \
     X(0, 6, 1, 0.997)         \
     X(1, 8, 1, 0.97)          \

@@ -76,9 +76,9 @@ PSC_LANE void see_volume(const struct psc_word2 *v, const struct psc_word2 *seco
 
 /* Which of a triangle's vertices and edges its products are taken of. */
 struct psc_triangle_factors {
-    const struct psc_word2 *ab, *ac, *bc;    /* a or b, a or c, b or c: times the edge between them */
-    const struct psc_word2 *nearest;         /* a, b or c */
-    const struct psc_word2 *second, *first;  /* two edges, turning as edge_c and edge_a do */
+    const struct psc_word2 *ab, *ac, *bc;   /* a or b, a or c, b or c: times the edge between */
+    const struct psc_word2 *nearest;        /* a, b or c */
+    const struct psc_word2 *second, *first; /* two edges, turning as edge_c and edge_a do */
 };
 
 /*

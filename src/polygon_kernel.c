@@ -21,6 +21,7 @@
 #include "results_tmpl.h"
 #include "sides_tmpl.h"
 #include "sector_map_tmpl.h"
+#include "rectangle_kernel_tmpl.h"
 #include "polygon_kernel_tmpl.h"
 #include "polygon_wave_tmpl.h"
 #include "rectangle_wave_tmpl.h"

@@ -2,8 +2,8 @@
 /*
  * Wavefronts of triangles by solid angle: a loop in double that sees and builds a block of
  * elements, then loops that sample it. The lane functions are those of the calls for one, so the
- * bits are too. What takes exact products goes another way (polygon_exact_wave_tmpl.h); what is left
- * to the calls for one: errors, lights without size, area, and other shapes.
+ * bits are too. What takes exact products goes another way (polygon_exact_wave_tmpl.h); what is
+ * left to the calls for one: errors, lights without size, area, and other shapes.
  * Template: see precision.h.
  */
 
@@ -195,7 +195,8 @@ static void FN(sample_elements)(const struct psc_wave *restrict wave,
 }
 
 /* Which lights are wholly below the plane. */
-static void FN(find_hidden)(const struct psc_wave *restrict wave, struct FN(psc_results) *restrict r)
+static void FN(find_hidden)(const struct psc_wave *restrict wave,
+                            struct FN(psc_results) *restrict r)
 {
     const size_t n = wave->count;
     double where[PSC_BLOCK];

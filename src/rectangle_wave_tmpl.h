@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Wavefronts of rectangles along their edges: a loop in double that sees, builds and samples a block
- * of elements, then one for densities. The lane functions are those of the calls for one, so the
+ * Wavefronts of rectangles along their edges: a loop in double that sees, builds and samples a
+ * block of elements, then one for densities. The lane functions are those of the calls for one, so the
  * bits are too. What is left to those: errors, lights without size, and the other maps. Template:
  * see precision.h.
  */

@@ -145,8 +145,8 @@ static inline void sector_constants(const struct psc_sector_wide *wide, struct p
     s->versine = cosine > 0.0 ? s->sine * s->sine / (1.0 + cosine) : 1.0 - cosine;
 }
 
-/* A sector that is still too wide when no halvings are left. That takes a polygon that is not convex,
-   as one is seen from within the rounding of its own plane: all that is left to see to is that its
+/* A sector that is still too wide when no halvings are left. That takes a polygon that is not
+   convex, as one is seen from within the rounding of its own plane: all that is left to see to is that its
    numbers are some. */
 static inline void force_sector(struct psc_sector *s)
 {
