@@ -92,7 +92,8 @@ static void face_receiver(uint64_t *state, const double to[3], struct motion *m)
     cross(m->z, m->x, m->y);
 }
 
-/* One light at the half-angle and elevation of a case, anywhere. */
+/* One light at the half-angle and elevation of a case. It is at the origin, so that coordinates in
+   float are still those of a flat polygon where that is small. */
 static void place_at(uint64_t *state, const struct shape *shape, const struct bench_case *c,
                      struct light *light)
 {
@@ -105,9 +106,9 @@ static void place_at(uint64_t *state, const struct shape *shape, const struct be
     random_unit(state, light->normal);
     random_across(state, light->normal, across);
     for (i = 0; i < 3; i++) {
-        light->position[i] = random_between(state, -1.0, 1.0);
         to[i] = distance * (sin(c->beta) * light->normal[i] + cos(c->beta) * across[i]);
-        m.shift[i] = light->position[i] + to[i];
+        light->position[i] = -to[i];
+        m.shift[i] = 0.0;
     }
     m.scale = distance * sin(c->alpha);
     face_receiver(state, to, &m);
