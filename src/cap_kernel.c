@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* The kernels of lights that are seen as a spherical cap. */
 #include "cap_views.h"
-#include "kernel_tmpl.h"
 
 #if PSC_REAL_BITS == 64
 #include "cap_directions.h"

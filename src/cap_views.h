@@ -5,6 +5,7 @@
 #define PSC_SRC_CAP_VIEWS_H
 
 #include "cap_build.h"
+#include "kernel_tmpl.h"
 
 /* The views of a block, as arrays. */
 struct views {

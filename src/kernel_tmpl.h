@@ -14,6 +14,13 @@
 #define PSC_KERNEL_TABLE_1(name, bits, isa) PSC_KERNEL_TABLE_2(name, bits, isa)
 #define PSC_KERNEL_TABLE(name) PSC_KERNEL_TABLE_1(name, PSC_REAL_BITS, PSC_ISA)
 
+/* The wavefronts of this object's precision. */
+#if PSC_REAL_BITS == 64
+#define psc_wave psc_wave_f64
+#else
+#define psc_wave psc_wave_f32
+#endif
+
 /* sample, sample_n, wave, build, pdf, invert. The last three work in double and serve both
    precisions: they stand in the table of doubles. */
 #define PSC_KERNEL(name, ...) PSC_KERNEL_QUICK(name, NULL, __VA_ARGS__)

@@ -107,6 +107,14 @@ PSC_SHAPES(PSC_DECLARE, )
 /* Leaves the sampler empty: safe to sample, pdf 0. */
 void psc_clear(psc_sampler *sampler);
 
+/* The same of a sampler that is built, of a light of which nothing is seen. */
+static inline void psc_see_nothing(psc_sampler *sampler)
+{
+    sampler->sides = 0;
+    sampler->total = sampler->inverse_total = 0.0;
+    sampler->visibility = PSC_CASE_EMPTY;
+}
+
 /* Builds any shape from a checked request and its numbers. */
 psc_result psc_build_numbers(psc_sampler *sampler, const struct psc_shape_row *shape,
                              const struct psc_request *request, const double *geometry);
@@ -137,23 +145,30 @@ psc_result psc_wavefront_f32(const struct psc_shape_row *shape, const char *kind
 /* ---- Kernels: per shape, precision and instruction set ---- */
 
 #define PSC_BLOCK 128
-#define PSC_WAVE_NUMBERS (12 * PSC_BLOCK)
+#define PSC_WAVE_NUMBERS (18 * PSC_BLOCK)
 
-/* The inputs of a block of a wavefront, one array per number. Blocks of shapes that have more
-   than 12 numbers are shorter. */
-struct psc_wave {
-    double position[3][PSC_BLOCK], normal[3][PSC_BLOCK];
-    double *geometry[PSC_MAX_GEOMETRY]; /* into numbers */
-    double numbers[PSC_WAVE_NUMBERS];
-    psc_measure measure;
-    psc_map map;
-    enum psc_facing facing;
-    int one_sided;
-    const psc_table *table;
-    int parts; /* numbers of the geometry */
-    size_t count;
-    int surface; /* whether point, normal, distance or surface are wanted */
-};
+/*
+ * The inputs of a block of a wavefront, one array per number: where the caller has them, or in
+ * `numbers`. Blocks of shapes that have more than 12 numbers of their own are shorter.
+ */
+#define PSC_WAVE(real)                                                                      \
+    {                                                                                       \
+        const real *position[3], *normal[3]; /* normals are 0 where there is none */        \
+        const real *geometry[PSC_MAX_GEOMETRY];                                             \
+        real numbers[PSC_WAVE_NUMBERS];                                                     \
+        psc_measure measure;                                                                \
+        psc_map map;                                                                        \
+        enum psc_facing facing;                                                             \
+        int one_sided;                                                                      \
+        const psc_table *table;                                                             \
+        int parts; /* numbers of the geometry */                                            \
+        size_t count;                                                                       \
+        int surface; /* whether point, normal, distance or surface are wanted */            \
+        int weight;  /* and whether that is */                                              \
+    }
+struct psc_wave_f64 PSC_WAVE(double);
+struct psc_wave_f32 PSC_WAVE(float);
+#undef PSC_WAVE
 
 /* Components of psc_light_sample in its order, one array each. */
 enum {
@@ -203,7 +218,7 @@ struct psc_kernel_f64 {
     void (*sample_n)(const psc_sampler *sampler, size_t count, const psc_input_f64 *uv,
                      const psc_samples_f64 *out);
     /* NULL: the calls for one do it. */
-    void (*wave)(const struct psc_wave *wave, const double *u, const double *v,
+    void (*wave)(const struct psc_wave_f64 *wave, const double *u, const double *v,
                  struct psc_results_f64 *results);
     /* Fills a cleared sampler; the numbers are finite. In double behind both precisions. */
     psc_result (*build)(psc_sampler *sampler, const struct psc_request *request,
@@ -211,10 +226,11 @@ struct psc_kernel_f64 {
     /* Fill pdf, or uv and status; the sampler is not empty. NULL: the calls for one do it. */
     void (*pdf)(const psc_sampler *sampler, struct psc_directions *directions);
     void (*invert)(const psc_sampler *sampler, struct psc_directions *directions);
-    /* Of a shape whose geometry is a vector and a scalar: checks and builds what single calls ask
-       for most, or returns PSC_PENDING and leaves it to build. NULL: none. */
+    /* Checks and builds what single calls ask for most, of a geometry of vectors and a scalar, if it
+       has any; or returns PSC_PENDING and leaves it to build. NULL: none. */
     psc_result (*quick)(psc_sampler *sampler, const psc_technique *technique,
-                        const psc_receiver *receiver, const double *vector, double scalar);
+                        const psc_receiver *receiver, const double *const vectors[],
+                        double scalar);
 };
 
 struct psc_kernel_f32 {
@@ -222,7 +238,7 @@ struct psc_kernel_f32 {
                          psc_light_sample_f32 *sample);
     void (*sample_n)(const psc_sampler *sampler, size_t count, const psc_input_f32 *uv,
                      const psc_samples_f32 *out);
-    void (*wave)(const struct psc_wave *wave, const float *u, const float *v,
+    void (*wave)(const struct psc_wave_f32 *wave, const float *u, const float *v,
                  struct psc_results_f32 *results);
 };
 

@@ -3,7 +3,7 @@
 
 /* Builds and samples element i of the block with the calls for one. */
 static void FN(build_and_sample)(const struct psc_shape_row *shape, uint32_t flags,
-                                 const struct psc_wave *wave, size_t i, real u, real v,
+                                 const struct FN(psc_wave) *wave, size_t i, real u, real v,
                                  psc_sampler *sampler, struct FN(psc_results) *r)
 {
     const double position[3] = {wave->position[0][i], wave->position[1][i],
@@ -43,6 +43,16 @@ static size_t FN(count_sampled)(const psc_result *status, size_t n)
     for (i = 0; i < n; i++)
         count += is_sampled(status[i]);
     return (size_t)count;
+}
+
+/* n numbers of the caller from first on: where they are, or in `room`. */
+static const real *FN(read_block)(const FN(psc_input) *input, int component, size_t first,
+                                  size_t n, real *room)
+{
+    if (input->stride == (ptrdiff_t)sizeof(real))
+        return input->component[component] + first;
+    FN(gather)(input->component[component], input->stride, first, n, room);
+    return room;
 }
 
 static psc_result FN(check_wavefront)(const struct psc_shape_row *shape, const char *kinds,
@@ -87,48 +97,49 @@ psc_result FN(psc_wavefront)(const struct psc_shape_row *shape, const char *kind
                              const FN(psc_input) *const parts[], const FN(psc_input) *uv,
                              const FN(psc_samples) *out)
 {
+    static const real no_normal[PSC_BLOCK];
     const struct FN(psc_kernel) *kernel = psc_dispatch()->KERNEL[shape->kernel];
-    real u[PSC_BLOCK], v[PSC_BLOCK];
+    real u_room[PSC_BLOCK], v_room[PSC_BLOCK];
     struct FN(psc_results) results;
     struct psc_request request;
     uint32_t index[PSC_BLOCK];
     psc_sampler_storage storage;
     psc_sampler *sampler = NULL; /* for elements that the kernel leaves to it */
-    struct psc_wave wave;
+    struct FN(psc_wave) wave;
     size_t first, i, block;
-    int k;
     const psc_result result =
         FN(check_wavefront)(shape, kinds, technique, receivers, parts, uv, out, &request);
 
     if (result != PSC_SUCCESS)
         return result;
-    memset(wave.normal, 0, sizeof wave.normal);
     wave.measure = request.measure;
     wave.map = request.map;
     wave.facing = request.facing;
     wave.one_sided = request.one_sided;
     wave.table = request.table;
     wave.parts = request.numbers;
-    block = MIN(PSC_BLOCK, PSC_WAVE_NUMBERS / (size_t)request.numbers);
-    for (k = 0; k < request.numbers; k++)
-        wave.geometry[k] = wave.numbers + (size_t)k * block;
+    block = MIN(PSC_BLOCK, PSC_WAVE_NUMBERS / (size_t)(6 + request.numbers));
     wave.surface = FN(wants_surface)(out);
+    wave.weight = FN(wanted)(&out->weight, 1);
     for (first = 0; first < count; first += wave.count) {
         const size_t n = MIN(count - first, block);
+        const real *u, *v;
+        real *room = wave.numbers;
         size_t good;
         int p, c, number = 0;
 
         wave.count = n;
-        for (c = 0; c < 3; c++) {
-            FN(widen)(&receivers->position, c, first, n, wave.position[c]);
-            if (wave.facing != PSC_FACING_NONE)
-                FN(widen)(&receivers->normal, c, first, n, wave.normal[c]);
+        for (c = 0; c < 3; c++, room += block) {
+            wave.position[c] = FN(read_block)(&receivers->position, c, first, n, room);
+            wave.normal[c] = no_normal;
         }
+        for (c = 0; wave.facing != PSC_FACING_NONE && c < 3; c++, room += block)
+            wave.normal[c] = FN(read_block)(&receivers->normal, c, first, n, room);
         for (p = 0; kinds[p]; p++)
-            for (c = 0; c < (kinds[p] == 'v' ? 3 : 1); c++)
-                FN(widen)(parts[p], c, first, n, wave.geometry[number++]);
-        FN(gather)(uv->component[0], uv->stride, first, n, u);
-        FN(gather)(uv->component[1], uv->stride, first, n, v);
+            for (c = 0; c < (kinds[p] == 'v' ? 3 : 1); c++, room += block)
+                wave.geometry[number++] = FN(read_block)(parts[p], c, first, n, room);
+        u = FN(read_block)(uv, 0, first, n, u_room);
+        v = FN(read_block)(uv, 1, first, n, v_room);
 
         if (kernel->wave)
             kernel->wave(&wave, u, v, &results);
