@@ -35,9 +35,7 @@ static inline psc_result psc_fill_unchecked(psc_sampler *sampler,
         return result;
     }
     /* Nothing to see, or smaller than the smallest number. */
-    sampler->sides = 0;
-    sampler->total = sampler->inverse_total = 0.0;
-    sampler->visibility = PSC_CASE_EMPTY;
+    psc_see_nothing(sampler);
     return PSC_EMPTY;
 }
 
@@ -54,6 +52,25 @@ static inline psc_result psc_fill(psc_sampler *sampler, const struct psc_shape_r
         return psc_fill_unchecked(sampler, shape, request, geometry);
     psc_clear(sampler);
     return PSC_ERROR_NOT_FINITE;
+}
+
+/* What the shape's kernel has for the usual case, or PSC_PENDING: the sampler is to be built. */
+static inline psc_result psc_build_quick(psc_sampler *sampler, const struct psc_shape_row *shape,
+                                         const psc_technique *technique,
+                                         const psc_receiver *receiver,
+                                         const double *const vectors[], double scalar)
+{
+    const struct psc_variant *const kernels = psc_dispatch();
+    const struct psc_kernel_f64 *const own = kernels->f64[shape->kernel];
+    const psc_result result =
+        sampler ? own->quick(sampler, technique, receiver, vectors, scalar) : PSC_PENDING;
+
+    if (result != PSC_PENDING) {
+        sampler->f32 = kernels->f32[shape->kernel];
+        sampler->f64 = own;
+        sampler->shape = shape;
+    }
+    return result;
 }
 
 /* Builds a shape whose geometry is a vector and a scalar. */

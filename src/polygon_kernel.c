@@ -23,11 +23,12 @@
 #include "sector_map_tmpl.h"
 #include "rectangle_kernel_tmpl.h"
 #include "polygon_kernel_tmpl.h"
-#include "polygon_wave_tmpl.h"
+#include "triangle_wave_tmpl.h"
 #include "rectangle_wave_tmpl.h"
 
 #if PSC_REAL_BITS == 64
 #include "rectangle_directions.h"
+#include "triangle_quick.h"
 
 static psc_result build_triangle(psc_sampler *s, const struct psc_request *request,
                                  const double *geometry)
@@ -48,8 +49,8 @@ static psc_result build_polygon(psc_sampler *s, const struct psc_request *reques
 }
 #endif
 
-PSC_KERNEL(triangle, FN(triangle_sample), FN(polygon_sample_n), FN(triangle_wave), build_triangle,
-           NULL, NULL);
+PSC_KERNEL_QUICK(triangle, triangle_quick, FN(triangle_sample), FN(polygon_sample_n), FN(triangle_wave),
+                 build_triangle, NULL, NULL);
 PSC_KERNEL(rectangle, FN(polygon_sample), FN(polygon_sample_n), FN(rectangle_wave),
            build_rectangle, rectangle_pdfs, rectangle_inverses);
 PSC_KERNEL(polygon, FN(polygon_sample), FN(polygon_sample_n), FN(pending_wave), build_polygon, NULL,

@@ -6,9 +6,11 @@
 #if PSC_REAL_BITS == 64
 #define FAN_OF(from) (*(from))
 #define FACE_OF(from) (*(from))
+#define PLAIN_FAN_OF(from) (*(from))
 #else
 #define FAN_OF(from) psc_fan_round(from)
 #define FACE_OF(from) psc_face_round(from)
+#define PLAIN_FAN_OF(from) psc_plain_fan_round(from)
 #endif
 
 /* A triangle of a fan in world space. */
@@ -83,16 +85,15 @@ static psc_result FN(plain_sample)(const psc_sampler *s, real u, real v, FN(psc_
 {
     const struct psc_polygon_light *l = &s->polygon;
     const double *const b = l->corner[1];
-    struct FN(psc_fan) fan = FAN_OF(l->fan);
+    const struct FN(psc_plain_fan) fan = PLAIN_FAN_OF(&l->plain_fan);
     struct FN(psc_polygon_world) w;
     struct FN(psc_spot) p;
     real a, distance;
     int i;
 
-    FN(plain_constants)(&fan);
     FN(polygon_world)(s, &w);
-    FN(fan_map)(&fan, u, v, &p);
-    FN(fan_direction)(&fan, &p, out->direction);
+    FN(plain_map)(&fan, u, v, &p);
+    FN(spot_direction)(fan.b, fan.toward_a, fan.toward_c, &p, out->direction);
     out->pdf = w.pdf;
     out->weight = w.total * FN(fan_cosine)(w.facing, FN(fan_height)(w.up, out->direction));
     FN(plain_hit)(&fan, &p, &a, out->surface, out->surface + 1, &distance);
@@ -152,8 +153,9 @@ static psc_result FN(polygon_sample)(const psc_sampler *s, real u, real v,
 static psc_result FN(triangle_sample)(const psc_sampler *s, real u, real v,
                                       FN(psc_light_sample) *out)
 {
-    return s->sides > 0 && s->polygon.plain ? FN(plain_sample)(s, u, v, out)
-                                            : FN(polygon_sample)(s, u, v, out);
+    return s->sides > 0 && s->polygon.plain && s->measure == PSC_MEASURE_SOLID_ANGLE
+               ? FN(plain_sample)(s, u, v, out)
+               : FN(polygon_sample)(s, u, v, out);
 }
 
 /* ---- Blocks ---- */
@@ -167,20 +169,28 @@ PSC_LANE void FN(fan_lanes)(const psc_sampler *s, int k, int plain, size_t n,
     const struct FN(psc_face) face = FN(face_at)(&s->polygon, k);
     const real normal[3] = {(real)s->polygon.normal[0], (real)s->polygon.normal[1],
                             (real)s->polygon.normal[2]};
-    struct FN(psc_fan) fan = FAN_OF(s->polygon.fan + k);
+    struct FN(psc_plain_fan) own;
     real b[PSC_BLOCK], a[PSC_BLOCK], c[PSC_BLOCK];
     struct FN(psc_polygon_world) w;
+    struct FN(psc_fan) fan;
     size_t i;
 
     if (plain)
-        FN(plain_constants)(&fan);
+        own = PLAIN_FAN_OF(&s->polygon.plain_fan);
+    else
+        fan = FAN_OF(s->polygon.fan + k);
     FN(polygon_world)(s, &w);
     for (i = 0; i < n; i++) {
         struct FN(psc_spot) p;
         real direction[3];
 
-        FN(fan_map)(&fan, u[i], v[i], &p);
-        FN(fan_direction)(&fan, &p, direction);
+        if (plain) {
+            FN(plain_map)(&own, u[i], v[i], &p);
+            FN(spot_direction)(own.b, own.toward_a, own.toward_c, &p, direction);
+        } else {
+            FN(fan_map)(&fan, u[i], v[i], &p);
+            FN(fan_direction)(&fan, &p, direction);
+        }
         r->value[0][i] = direction[0];
         r->value[1][i] = direction[1];
         r->value[2][i] = direction[2];
@@ -200,7 +210,7 @@ PSC_LANE void FN(fan_lanes)(const psc_sampler *s, int k, int plain, size_t n,
         real share[3], distance, point[3], first, second;
 
         if (plain)
-            FN(plain_hit)(&fan, &p, share, share + 1, share + 2, &distance);
+            FN(plain_hit)(&own, &p, share, share + 1, share + 2, &distance);
         else
             FN(fan_hit)(&fan, &p, share, share + 1, share + 2, &distance);
         FN(face_point)(&face, share[0], share[1], share[2], point, &first, &second);
@@ -313,4 +323,15 @@ static void FN(polygon_sample_n)(const psc_sampler *s, size_t count, const FN(ps
                                  const FN(psc_samples) *out)
 {
     FN(sample_sides)(s, count, uv, out, FN(polygon_side_block));
+}
+
+/* Leaves a block to the calls for one. */
+static void FN(pending_wave)(const struct psc_wave *wave, const real *u, const real *v,
+                             struct FN(psc_results) *r)
+{
+    size_t i;
+
+    (void)u, (void)v;
+    for (i = 0; i < wave->count; i++)
+        r->status[i] = PSC_PENDING;
 }

@@ -14,6 +14,11 @@
 
 psc_result psc_polygon_solid_angle_of(const psc_sampler *s, double *value)
 {
+    const struct psc_polygon_light *l = &s->polygon;
+
+    if (s->sides > 0 && l->plain && s->measure == PSC_MEASURE_AREA)
+        return psc_triangle_solid_angle(l->position, l->corner[0], l->corner[1], l->corner[2],
+                                        value);
     *value = s->sides == 0 ? 0.0 : s->polygon.solid_angle;
     return *value > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
 }
@@ -65,27 +70,68 @@ psc_result psc_polygon_area(const psc_sampler *s, double *value)
 
 /* ---- Directions ---- */
 
-/* The triangle of the fan that holds the direction, and the direction in its frame; -1 outside. */
-static int find_triangle(const struct psc_polygon_light *l, const double direction[3],
-                         double epsilon, struct psc_spot_f64 *p)
+/* Of a triangle by area that was built without a fan. */
+static void fan_of_corners(const struct psc_polygon_light *l, struct psc_fan_f64 *f)
 {
-    const double slack = 32.0 * epsilon;
-    int i, found = -1;
-    double best = 0.0;
+    struct psc_plain_triangle plain;
+    double unit;
 
-    for (i = 0; i < l->triangles; i++) {
+    if (see_plain_triangle(l->position, l->corner[0], l->corner[1], l->corner[2], &plain)) {
+        struct psc_plain_fan_f64 fan;
+
+        plain_fan(&plain, &fan);
+        fan.half = plain_half(plain.cosine, plain.sine);
+        fan_of_plain(&fan, f);
+        unit = 1.0 / plain.size_b;
+    } else {
+        struct psc_triangle_words words;
+        struct psc_triangle_view seen;
+        struct psc_polygon_view view;
+
+        see_polygon(l->position, 3, l->corner[0], &view);
+        triangle_words(&view, l->corner[0], 0, 1, 2, &words);
+        see_triangle(&words, &seen);
+        fan_build(&seen, &words.b, &words.edge_c, f);
+        unit = view.scale;
+    }
+    f->per_a *= unit;
+    f->per_b *= unit;
+    f->per_c *= unit;
+}
+
+/* The triangle of the fan that holds the direction, its number, and the direction in its frame;
+   NULL outside. own: where it is put if it is not kept in this form. */
+static const struct psc_fan_f64 *find_triangle(const psc_sampler *s, const double direction[3],
+                                               double epsilon, struct psc_fan_f64 *own, int *number,
+                                               struct psc_spot_f64 *p)
+{
+    const struct psc_polygon_light *l = &s->polygon;
+    const struct psc_fan_f64 *fan = l->fan, *found = NULL;
+    const double slack = 32.0 * epsilon;
+    double best = 0.0;
+    int i;
+
+    if (l->plain) {
+        fan = own;
+        if (s->measure == PSC_MEASURE_AREA)
+            fan_of_corners(l, own);
+        else
+            fan_of_plain(&l->plain_fan, own);
+    }
+    for (i = 0; i < l->triangles; i++, fan++) {
         struct psc_fan_edges e;
         struct psc_spot_f64 q;
         double inside;
 
-        fan_look(l->fan + i, direction, &q);
-        if (!fan_holds(l->fan + i, &q, slack))
+        fan_look(fan, direction, &q);
+        if (!fan_holds(fan, &q, slack))
             continue;
         /* Between two triangles both may claim it. */
-        fan_edges(l->fan + i, &e);
+        fan_edges(fan, &e);
         inside = MIN(q.c, spot_dot(&q, &e.bc));
-        if (found < 0 || inside > best) {
-            found = i;
+        if (!found || inside > best) {
+            found = fan;
+            *number = i;
             best = inside;
             *p = q;
         }
@@ -143,15 +189,19 @@ double psc_polygon_pdf(const psc_sampler *s, const double direction[3], double e
                                    s->inverse_total)
                    : 0.0;
     } else {
+        struct psc_fan_f64 own;
         struct psc_spot_f64 p;
-        const int k = find_triangle(l, direction, epsilon, &p);
+        int k;
+        const struct psc_fan_f64 *const fan = find_triangle(s, direction, epsilon, &own, &k, &p);
         double a, b, c;
 
-        if (k < 0)
+        if (!fan)
             return 0.0;
-        fan_hit_f64(l->fan + k, &p, &a, &b, &c, &t);
+        if (s->measure != PSC_MEASURE_AREA)
+            return s->inverse_total;
+        fan_hit_f64(fan, &p, &a, &b, &c, &t);
     }
-    return s->measure == PSC_MEASURE_AREA ? 2.0 * (t * t * t) / l->volume : s->inverse_total;
+    return 2.0 * (t * t * t) / l->volume;
 }
 
 static void invert_rectangle(const psc_sampler *s, const struct psc_rectangle_point *p, double uv[2])
@@ -164,19 +214,20 @@ static void invert_rectangle(const psc_sampler *s, const struct psc_rectangle_po
     }
 }
 
-static void invert_fan(const psc_sampler *s, int k, const struct psc_spot_f64 *p, double uv[2])
+static void invert_fan(const psc_sampler *s, const struct psc_fan_f64 *fan, int k,
+                       const struct psc_spot_f64 *p, double uv[2])
 {
     const struct psc_polygon_light *l = &s->polygon;
 
     if (s->measure == PSC_MEASURE_AREA) {
         double a, b, c, t, rest;
 
-        fan_hit_f64(l->fan + k, p, &a, &b, &c, &t);
+        fan_hit_f64(fan, p, &a, &b, &c, &t);
         rest = a + c;
         uv[0] = rest > 0.0 ? c / rest : 0.0;
         uv[1] = rest * rest;
     } else {
-        fan_invert(l->fan + k, p, uv);
+        fan_invert(fan, p, uv);
     }
     if (l->triangles > 1)
         uv[0] = l->below[k] + MIN(MAX(uv[0], 0.0), 1.0) / l->per_share[k];
@@ -198,12 +249,14 @@ psc_result psc_polygon_invert(const psc_sampler *s, const double direction[3], d
             return PSC_OUTSIDE;
         invert_rectangle(s, &p, uv);
     } else {
+        struct psc_fan_f64 own;
         struct psc_spot_f64 p;
-        const int k = find_triangle(l, direction, epsilon, &p);
+        int k;
+        const struct psc_fan_f64 *const fan = find_triangle(s, direction, epsilon, &own, &k, &p);
 
-        if (k < 0)
+        if (!fan)
             return PSC_OUTSIDE;
-        invert_fan(s, k, &p, uv);
+        invert_fan(s, fan, k, &p, uv);
     }
     for (i = 0; i < 2; i++)
         uv[i] = MIN(MAX(uv[i], 0.0), 1.0);

@@ -23,6 +23,7 @@ struct psc_polygon_light {
     /* A triangle whose view, height and volume were not needed, and what they are made of. */
     int plain;
     double position[3], corner[3][3];
+    struct psc_plain_fan_f64 plain_fan;
 
     int turns_left;                  /* vertices run counterclockwise seen from the receiver */
 

@@ -19,15 +19,11 @@ const struct psc_shape_row psc_shape_sphere = {
 psc_result psc_build_sphere(psc_sampler *sampler, const psc_technique *technique,
                             const psc_receiver *receiver, const double center[3], double radius)
 {
-    const struct psc_variant *kernels = psc_dispatch();
-    const struct psc_kernel_f64 *own = kernels->f64[PSC_KERNEL_SPHERE];
+    const psc_result quick =
+        psc_build_quick(sampler, &psc_shape_sphere, technique, receiver, &center, radius);
 
-    if (sampler && own->quick(sampler, technique, receiver, center, radius) == PSC_SUCCESS) {
-        sampler->f32 = kernels->f32[PSC_KERNEL_SPHERE];
-        sampler->f64 = own;
-        sampler->shape = &psc_shape_sphere;
-        return PSC_SUCCESS;
-    }
+    if (quick != PSC_PENDING)
+        return quick;
     return psc_build_vector_scalar(sampler, &psc_shape_sphere, technique, receiver, center, radius);
 }
 

@@ -24,8 +24,10 @@ static psc_result sphere_quick_clipped(psc_sampler *s, enum psc_region region,
 /* PSC_SUCCESS, the sampler being complete but for what the caller knows of itself (kernels and
    shape), or PSC_PENDING: not one of these. */
 static psc_result sphere_quick(psc_sampler *s, const psc_technique *technique,
-                               const psc_receiver *receiver, const double *center, double radius)
+                               const psc_receiver *receiver, const double *const vectors[],
+                               double radius)
 {
+    const double *const center = vectors[0];
     const double *position, *normal;
     struct psc_side *side;
     enum psc_region region;

@@ -15,22 +15,12 @@ psc_result psc_build_triangle(psc_sampler *sampler, const psc_technique *techniq
                               const double v1[3], const double v2[3])
 {
     const double *const parts[] = {v0, v1, v2};
-    struct psc_request request;
-    double (*corner)[3];
+    const psc_result quick =
+        psc_build_quick(sampler, &psc_shape_triangle, technique, receiver, parts, 0.0);
 
-    /* Of all that may be wrong, the build itself looks at the numbers. */
-    if (!sampler || !v0 || !v1 || !v2 ||
-        psc_check_technique(technique, &request) != PSC_SUCCESS ||
-        psc_check_struct(receiver, sizeof *receiver) != PSC_SUCCESS ||
-        psc_read_point(receiver->flags, receiver->position, receiver->normal, &request) !=
-            PSC_SUCCESS ||
-        psc_check_offer(&psc_shape_triangle, &request) != PSC_SUCCESS)
-        return psc_build(sampler, &psc_shape_triangle, geometry, technique, receiver, parts);
-    corner = sampler->polygon.corner;
-    copy3(v0, corner[0]);
-    copy3(v1, corner[1]);
-    copy3(v2, corner[2]);
-    return psc_fill_unchecked(sampler, &psc_shape_triangle, &request, corner[0]);
+    return quick != PSC_PENDING ? quick
+                                : psc_build(sampler, &psc_shape_triangle, geometry, technique,
+                                            receiver, parts);
 }
 
 psc_result psc_triangle_sample_n_f64(const psc_technique *technique, size_t count,

@@ -34,67 +34,133 @@ static psc_result exact_triangle_build(psc_sampler *s, const struct psc_request 
 }
 
 /* Where a triangle lies to a plane that rounding may have put a vertex on either side of. */
-static int see_exact_horizon(const struct psc_request *request, const double *vertices)
+static int see_exact_horizon(const double *position, const double *normal, const double *vertices)
 {
     struct psc_polygon_view view;
-    double normal[3], up[3], height[PSC_MAX_VERTICES];
+    double n[3], up[3], height[PSC_MAX_VERTICES];
 
-    see_polygon(request->position, 3, vertices, &view);
-    return (int)see_horizon(request->normal, &view, normal, up, height);
+    see_polygon(position, 3, vertices, &view);
+    return (int)see_horizon(normal, &view, n, up, height);
+}
+
+/* Where the light lies to the receiver's plane, or PSC_PENDING; reach: at least the length of any of
+   a, b and c, which are its vertices as the receiver sees them. */
+PSC_LANE int plain_receiver(struct psc_polygon_light *l, const double *position,
+                            const double *normal, const double *const vertex[3],
+                            const double a[3], const double b[3], const double c[3], double reach)
+{
+    double square, size;
+    int seen;
+
+    if (!normal) {
+        l->up[0] = l->up[1] = l->up[2] = 0.0;
+        return PSC_CASE_NO_HORIZON;
+    }
+    square = dot(normal, normal);
+    if (!is_plain_normal(square))
+        return PSC_PENDING;
+    size = SQRT(square);
+    seen = (int)see_plain_horizon(a, b, c, normal, size * reach);
+    if (seen < 0) {
+        double vertices[9];
+
+        copy3(vertex[0], vertices);
+        copy3(vertex[1], vertices + 3);
+        copy3(vertex[2], vertices + 6);
+        seen = see_exact_horizon(position, normal, vertices);
+    }
+    copy3(normal, l->receiver);
+    scale3(1.0 / size, normal, l->up);
+    return seen;
+}
+
+/* What both measures keep. */
+PSC_LANE void keep_triangle(psc_sampler *s, int seen, const double *position,
+                            const double *const vertex[3], const double normal[3])
+{
+    struct psc_polygon_light *l = &s->polygon;
+    const double length = SQRT(dot(normal, normal)), per_length = 1.0 / length;
+
+    scale3(per_length, normal, l->normal);
+    l->area = 0.5 * length;
+    l->triangles = 1;
+    l->plain = 1;
+    copy3(position, l->position);
+    copy3(vertex[0], l->corner[0]);
+    copy3(vertex[1], l->corner[1]);
+    copy3(vertex[2], l->corner[2]);
+    s->visibility = (psc_case)seen;
+    s->sides = 1;
+    s->split = 1.0;
+}
+
+/* By solid angle, where plain products suffice; else, and for all that is wrong, PSC_PENDING. */
+PSC_LANE psc_result plain_triangle_build(psc_sampler *s, const double *position,
+                                         const double *normal, const double *const vertex[3],
+                                         int one_sided, enum psc_facing facing)
+{
+    struct psc_polygon_light *l = &s->polygon;
+    struct psc_plain_triangle o;
+    int seen;
+
+    if (!see_plain_triangle(position, vertex[0], vertex[1], vertex[2], &o))
+        return PSC_PENDING;
+    seen = plain_receiver(l, position, normal, vertex, o.a, o.b, o.c, o.reach);
+    if (seen == PSC_PENDING)
+        return PSC_PENDING;
+    if ((one_sided && o.volume > 0.0) || (seen == PSC_CASE_EMPTY && facing == PSC_FACING_ONE))
+        return PSC_EMPTY;
+    plain_fan(&o, &l->plain_fan);
+    l->plain_fan.half = plain_half(o.cosine, o.sine);
+    l->unit = o.size_b;
+    s->total = l->solid_angle = 2.0 * l->plain_fan.half;
+    keep_triangle(s, seen, position, vertex, o.normal);
+    return PSC_SUCCESS;
+}
+
+/* The same by area. */
+PSC_LANE psc_result plain_area_build(psc_sampler *s, const double *position, const double *normal,
+                                     const double *const vertex[3], int one_sided,
+                                     enum psc_facing facing)
+{
+    struct psc_polygon_light *l = &s->polygon;
+    struct psc_plain_flat o;
+    double a[3], c[3];
+    int seen;
+
+    if (!see_plain_flat(position, vertex[0], vertex[1], vertex[2], &o))
+        return PSC_PENDING;
+    subtract3(vertex[0], position, a);
+    subtract3(vertex[2], position, c);
+    seen = plain_receiver(l, position, normal, vertex, a, o.flat.b.high, c,
+                          2.0 * SQRT(o.square));
+    if (seen == PSC_PENDING)
+        return PSC_PENDING;
+    if ((one_sided && o.volume > 0.0) || (seen == PSC_CASE_EMPTY && facing == PSC_FACING_ONE))
+        return PSC_EMPTY;
+    l->flat[0] = o.flat;
+    copy3(l->up, l->flat[0].up);
+    l->volume = ABS(o.volume);
+    l->unit = 1.0;
+    keep_triangle(s, seen, position, vertex, o.normal);
+    s->total = l->area;
+    return PSC_SUCCESS;
 }
 
 /* The vertices may be where the light keeps them. */
 PSC_LANE psc_result triangle_build(psc_sampler *s, const struct psc_request *request,
                                    const double *vertices)
 {
-    struct psc_polygon_light *l = &s->polygon;
-    struct psc_plain_triangle o;
-    double length, size = 1.0, inverse;
-    int seen = PSC_CASE_NO_HORIZON;
+    const double *const vertex[3] = {vertices, vertices + 3, vertices + 6};
+    psc_result result = PSC_PENDING;
 
-    if (s->measure != PSC_MEASURE_SOLID_ANGLE ||
-        !see_plain_triangle(request->position, vertices, &o))
-        return exact_triangle_build(s, request, vertices);
-    if (request->normal) {
-        const double square = dot(request->normal, request->normal);
-
-        if (!is_plain_normal(square))
-            return exact_triangle_build(s, request, vertices);
-        size = SQRT(square);
-        seen = (int)see_plain_horizon(o.a, o.b, o.c, request->normal,
-                                 size * ((o.size_a + o.size_b) + o.size_c));
-        if (seen < 0)
-            seen = see_exact_horizon(request, vertices);
-    }
-    s->visibility = (psc_case)seen;
-    if ((request->one_sided && o.volume > 0.0) ||
-        (seen == PSC_CASE_EMPTY && s->facing == PSC_FACING_ONE))
-        return PSC_EMPTY;
-
-    plain_fan(&o, l->fan);
-    length = SQRT(dot(o.normal, o.normal));
-    inverse = 1.0 / (size * length);
-    scale3(size * inverse, o.normal, l->normal);
-    if (request->normal) {
-        copy3(request->normal, l->receiver);
-        scale3(length * inverse, request->normal, l->up);
-    } else {
-        l->up[0] = l->up[1] = l->up[2] = 0.0;
-    }
-    l->area = 0.5 * length;
-    l->unit = o.size_b;
-    l->triangles = 1;
-    l->plain = 1;
-    copy3(request->position, l->position);
-    if (vertices != l->corner[0]) {
-        copy3(vertices, l->corner[0]);
-        copy3(vertices + 3, l->corner[1]);
-        copy3(vertices + 6, l->corner[2]);
-    }
-    s->total = l->solid_angle = 2.0 * o.half;
-    s->sides = 1;
-    s->split = 1.0;
-    return PSC_SUCCESS;
+    if (s->measure == PSC_MEASURE_SOLID_ANGLE)
+        result = plain_triangle_build(s, request->position, request->normal, vertex,
+                                      request->one_sided, s->facing);
+    else if (s->measure == PSC_MEASURE_AREA)
+        result = plain_area_build(s, request->position, request->normal, vertex,
+                                  request->one_sided, s->facing);
+    return result == PSC_PENDING ? exact_triangle_build(s, request, vertices) : result;
 }
 
 #endif

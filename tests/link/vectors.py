@@ -40,11 +40,13 @@ LOOPS = [
     ("polygon", r"flat_block_f\d\d", ()),
     ("polygon", r"(solve_sectors|sector_block)_f\d\d", ()),
     ("polygon", r"triangle_wave_f\d\d", ("base",)),
-    ("polygon", r"build_(exact_)?(around|above)(_whole)?_f\d\d", ("base",)),
+    ("polygon", r"build_(exact_(around|above)|(whole_)?elements)_f\d\d", ("base",)),
+    ("polygon", r"(judge_elements|find_(halves|normals))_f\d\d", ("base",)),
+    ("polygon", r"flat_(around|above)_f\d\d", ("base",)),
 ]
 # Those that a compiler may have inlined into what calls them.
 MAY_BE_MISSING = (r"weigh_cuts|wave_(cone|projected)_directions|(fan|plain)_block|triangle_wave"
-                  r"|build_")
+                  r"|build_|\(judge_")
 DOUBLE_ONLY = r"pdf_|look_|invert_"
 
 ARITHMETIC = re.compile(r"v?(?:add|sub|mul|div|sqrt|fn?m(?:add|sub)\d+)(p|s)[sd]$")

@@ -7,7 +7,7 @@
 #define EXACT_VECTOR(name) real name[3][PSC_BLOCK];
 struct FN(psc_exact_fans) {
     PSC_FAN_FIELDS(EXACT_NUMBER, EXACT_VECTOR)
-    real pdf[PSC_BLOCK], total[PSC_BLOCK], unit[PSC_BLOCK];
+    real pdf[PSC_BLOCK], unit[PSC_BLOCK];
     real normal[3][PSC_BLOCK], up[3][PSC_BLOCK];
     int32_t status[PSC_BLOCK];
 };
@@ -52,7 +52,6 @@ PSC_LANE void FN(build_exact_element)(const struct psc_wave *wave, int facing_on
     to->name[2][i] = fan.name[2];
     PSC_FAN_FIELDS(EXACT_STORE_NUMBER, EXACT_STORE_VECTOR)
     to->pdf[i] = (real)(1.0 / total);
-    to->total[i] = (real)total;
     to->unit[i] = (real)(1.0 / view.scale);
     length = 1.0 / seen.twice_area;
     for (c = 0; c < 3; c++) {
@@ -114,11 +113,12 @@ static void FN(sample_exact)(const struct psc_wave *restrict wave,
         r->value[0][i] = direction[0];
         r->value[1][i] = direction[1];
         r->value[2][i] = direction[2];
+        r->value[PSC_PDF][i] = f->pdf[i];
         b[i] = p.b;
         a[i] = p.a;
         c[i] = p.c;
     }
-    FN(weigh_elements)(facing, n, (const real(*)[PSC_BLOCK])f->up, f->pdf, f->total, f->status, r);
+    FN(weigh_elements)(facing, n, (const real(*)[PSC_BLOCK])f->up, f->half, f->status, r);
     for (i = 0; wave->surface && i < n; i++) {
         const struct FN(psc_spot) p = {b[i], a[i], c[i]};
         const real normal[3] = {f->normal[0][i], f->normal[1][i], f->normal[2][i]};
@@ -143,28 +143,35 @@ static void FN(exact_elements)(const struct psc_wave *wave, const real *u, const
     struct FN(psc_exact_fans) fans;
     struct FN(psc_results) results;
     struct psc_wave part;
+    int32_t pending = 0;
     size_t n = 0, i;
     int c;
 
+    for (i = 0; i < wave->count; i++)
+        pending |= r->status[i] == PSC_PENDING;
+    if (!pending)
+        return;
     for (i = 0; i < wave->count; i++) {
         index[n] = (uint32_t)i;
         n += r->status[i] == PSC_PENDING;
     }
-    if (n == 0)
-        return;
     part.count = n;
     part.facing = wave->facing;
     part.one_sided = wave->one_sided;
     part.surface = wave->surface;
-    for (c = 0; c < 9; c++)
-        part.geometry[c] = part.numbers + c * PSC_BLOCK;
+    for (c = 0; c < 15; c++) {
+        const real *const from = c < 3   ? wave->position[c]
+                                   : c < 6 ? wave->normal[c - 3]
+                                           : wave->geometry[c - 6];
+        real *const to = part.numbers + c * PSC_BLOCK;
+
+        for (i = 0; i < n; i++)
+            to[i] = from[index[i]];
+        *(c < 3   ? part.position + c
+          : c < 6 ? part.normal + (c - 3)
+                  : part.geometry + (c - 6)) = to;
+    }
     for (i = 0; i < n; i++) {
-        for (c = 0; c < 3; c++) {
-            part.position[c][i] = wave->position[c][index[i]];
-            part.normal[c][i] = wave->normal[c][index[i]];
-        }
-        for (c = 0; c < 9; c++)
-            part.geometry[c][i] = wave->geometry[c][index[i]];
         pu[i] = u[index[i]];
         pv[i] = v[index[i]];
     }

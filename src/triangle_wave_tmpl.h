@@ -1,0 +1,319 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Wavefronts of triangles by solid angle: a loop in double that sees and builds a block of
+ * elements, then loops that sample it. The lane functions are those of the calls for one, so the
+ * bits are too. What takes exact products goes another way (triangle_exact_wave_tmpl.h); what is
+ * left to the calls for one: errors, lights without size, and projected solid angle.
+ * Template: see precision.h.
+ */
+
+/* Constants of a block, of those that vary: the second lot is for hits on the light alone. */
+struct FN(psc_fans) {
+    real half[PSC_BLOCK], cos_a[PSC_BLOCK], near[PSC_BLOCK], far[PSC_BLOCK];
+    real b[3][PSC_BLOCK], toward_a[3][PSC_BLOCK], toward_c[3][PSC_BLOCK], up[3][PSC_BLOCK];
+    real pdf[PSC_BLOCK];
+    double sine[PSC_BLOCK], cosine[PSC_BLOCK]; /* of half */
+    int32_t status[PSC_BLOCK];
+
+    real per_along[PSC_BLOCK], per_above[PSC_BLOCK], slant[PSC_BLOCK], less_a[PSC_BLOCK];
+    real less_c[PSC_BLOCK], unit[PSC_BLOCK], normal[3][PSC_BLOCK];
+};
+
+PSC_LANE void load_triangle(const struct psc_wave *wave, size_t i, double position[3],
+                            double vertices[9])
+{
+    int k;
+
+    PSC_UNROLL
+    for (k = 0; k < 3; k++)
+        position[k] = wave->position[k][i];
+    PSC_UNROLL
+    for (k = 0; k < 9; k++)
+        vertices[k] = wave->geometry[k][i];
+}
+
+/* Element i: what becomes of it, and its constants. The receiver's plane is not looked at yet. */
+PSC_LANE void FN(build_element)(const struct psc_wave *wave, int one_sided, int surface, size_t i,
+                                struct FN(psc_fans) *to)
+{
+    struct psc_plain_triangle seen;
+    struct psc_plain_fan_f64 wide;
+    struct FN(psc_plain_fan) fan;
+    double position[3], vertices[9], per_length;
+    int c, fit, hidden;
+
+    load_triangle(wave, i, position, vertices);
+    fit = see_plain_triangle(position, vertices, vertices + 3, vertices + 6, &seen);
+    hidden = one_sided & (seen.volume > 0.0);
+    to->status[i] = !fit ? PSC_PENDING : hidden ? PSC_EMPTY : PSC_SUCCESS;
+    plain_fan(&seen, &wide);
+    fan = PLAIN_FAN_OF(&wide);
+    to->sine[i] = seen.sine;
+    to->cosine[i] = seen.cosine;
+    to->cos_a[i] = fan.cos_a;
+    to->near[i] = fan.near;
+    to->far[i] = fan.far;
+    for (c = 0; c < 3; c++) {
+        to->b[c][i] = fan.b[c];
+        to->toward_a[c][i] = fan.toward_a[c];
+        to->toward_c[c][i] = fan.toward_c[c];
+    }
+    if (!surface)
+        return;
+    to->per_along[i] = fan.per_along;
+    to->per_above[i] = fan.per_above;
+    to->slant[i] = fan.slant;
+    to->less_a[i] = fan.less_a;
+    to->less_c[i] = fan.less_c;
+    to->unit[i] = (real)seen.size_b;
+    per_length = 1.0 / __builtin_sqrt(dot(seen.normal, seen.normal));
+    for (c = 0; c < 3; c++)
+        to->normal[c][i] = (real)(seen.normal[c] * per_length);
+}
+
+static void FN(build_elements)(const struct psc_wave *restrict wave,
+                               struct FN(psc_fans) *restrict to)
+{
+    const int one_sided = wave->one_sided;
+    const size_t n = wave->count;
+    size_t i;
+
+    for (i = 0; i < n; i++)
+        FN(build_element)(wave, one_sided, 0, i, to);
+}
+
+/* The same with what hits on the light take. */
+static void FN(build_whole_elements)(const struct psc_wave *restrict wave,
+                                     struct FN(psc_fans) *restrict to)
+{
+    const int one_sided = wave->one_sided;
+    const size_t n = wave->count;
+    size_t i;
+
+    for (i = 0; i < n; i++)
+        FN(build_element)(wave, one_sided, 1, i, to);
+}
+
+/* Apart from the rest, whose chains of operations are long enough. */
+static void FN(find_halves)(size_t n, struct FN(psc_fans) *restrict to)
+{
+    size_t i;
+
+    for (i = 0; i < n; i++) {
+        const double half = plain_half(to->cosine[i], to->sine[i]);
+
+        to->half[i] = (real)half;
+        to->pdf[i] = (real)(1.0 / (2.0 * half));
+    }
+}
+
+#undef NORMAL_MIN
+#undef NORMAL_MAX
+#if PSC_BITS == 64
+#define NORMAL_MIN 0x1p-320
+#define NORMAL_MAX 0x1p320
+#else
+#define NORMAL_MIN 0x1p-100f
+#define NORMAL_MAX 0x1p100f
+#endif
+
+/* Statuses where nobody asks for weights: then their signs will do, and normals of any length.
+   Returns whether rounding cannot have decided any. */
+static int FN(judge_elements)(const struct psc_wave *restrict wave,
+                              const struct FN(psc_fans) *restrict f,
+                              struct FN(psc_results) *restrict r)
+{
+    const int facing_one = wave->facing == PSC_FACING_ONE;
+    const size_t n = wave->count;
+    int32_t near = 0;
+    size_t i;
+
+    for (i = 0; i < n; i++) {
+        const real normal[3] = {wave->normal[0][i], wave->normal[1][i], wave->normal[2][i]};
+        const real direction[3] = {r->value[0][i], r->value[1][i], r->value[2][i]};
+        const real height = FN(fan_height)(normal, direction);
+        const real square = FN(fan_height)(normal, normal);
+
+        near |= !((height * height > K(0x1p-30) * square) & (square > NORMAL_MIN) &
+                  (square < NORMAL_MAX));
+        r->status[i] = f->status[i] != PSC_SUCCESS         ? f->status[i]
+                       : facing_one & (height < K(0.0)) ? PSC_CULLED
+                                                           : PSC_SUCCESS;
+    }
+    return !near;
+}
+
+/* The receivers' normals, of length 1. */
+static void FN(find_normals)(const struct psc_wave *restrict wave, struct FN(psc_fans) *restrict to)
+{
+    const size_t n = wave->count;
+    size_t i;
+    int c;
+
+    if (wave->facing == PSC_FACING_NONE) {
+        memset(to->up, 0, sizeof to->up);
+        return;
+    }
+    for (i = 0; i < n; i++) {
+        const double normal[3] = {wave->normal[0][i], wave->normal[1][i], wave->normal[2][i]};
+        const double square = dot(normal, normal), per_size = 1.0 / __builtin_sqrt(square);
+
+        to->status[i] = is_plain_normal(square) ? to->status[i] : PSC_PENDING;
+        for (c = 0; c < 3; c++)
+            to->up[c][i] = (real)(normal[c] * per_size);
+    }
+}
+
+/* Weight and status of samples whose directions are there. */
+PSC_LANE void FN(weigh_elements)(enum psc_facing facing, size_t n,
+                                 const real (*restrict normal)[PSC_BLOCK],
+                                 const real *restrict half, const int32_t *restrict status,
+                                 struct FN(psc_results) *restrict r)
+{
+    size_t i;
+
+    for (i = 0; i < n; i++) {
+        const real direction[3] = {r->value[0][i], r->value[1][i], r->value[2][i]};
+        const real up[3] = {normal[0][i], normal[1][i], normal[2][i]};
+        const real height = FN(fan_height)(up, direction);
+
+        r->value[PSC_WEIGHT][i] = K(2.0) * half[i] * FN(fan_cosine)(facing, height);
+    }
+    for (i = 0; i < n; i++)
+        r->status[i] = status[i] != PSC_SUCCESS           ? status[i]
+                       : r->value[PSC_WEIGHT][i] > K(0.0) ? PSC_SUCCESS
+                                                          : PSC_CULLED;
+}
+
+/* The triangle in world space. */
+PSC_LANE void FN(load_face)(const struct psc_wave *wave, size_t i, struct FN(psc_face) *face)
+{
+    int k;
+
+    PSC_UNROLL
+    for (k = 0; k < 3; k++) {
+        const double a = wave->geometry[k][i], b = wave->geometry[3 + k][i];
+        const double c = wave->geometry[6 + k][i];
+
+        face->pivot[k] = (real)b;
+        face->edge_a[k] = (real)(a - b);
+        face->edge_c[k] = (real)(c - b);
+    }
+    face->s_a = face->s_c = face->t_a = face->t_b = K(0.0);
+    face->s_b = face->t_c = K(1.0);
+}
+
+static void FN(sample_elements)(const struct psc_wave *restrict wave,
+                                const struct FN(psc_fans) *restrict f, const real *restrict u,
+                                const real *restrict v, struct FN(psc_results) *restrict r)
+{
+    const size_t n = wave->count;
+    real b[PSC_BLOCK], a[PSC_BLOCK], c[PSC_BLOCK];
+    size_t i;
+
+    for (i = 0; i < n; i++) {
+        struct FN(psc_plain_fan) fan;
+        struct FN(psc_spot) p;
+        real direction[3];
+        int k;
+
+        fan.half = f->half[i];
+        fan.cos_a = f->cos_a[i];
+        fan.near = f->near[i];
+        fan.far = f->far[i];
+        PSC_UNROLL
+        for (k = 0; k < 3; k++) {
+            fan.b[k] = f->b[k][i];
+            fan.toward_a[k] = f->toward_a[k][i];
+            fan.toward_c[k] = f->toward_c[k][i];
+        }
+        FN(plain_map)(&fan, u[i], v[i], &p);
+        FN(spot_direction)(fan.b, fan.toward_a, fan.toward_c, &p, direction);
+        r->value[0][i] = direction[0];
+        r->value[1][i] = direction[1];
+        r->value[2][i] = direction[2];
+        r->value[PSC_PDF][i] = f->pdf[i];
+        b[i] = p.b;
+        a[i] = p.a;
+        c[i] = p.c;
+    }
+    for (i = 0; wave->surface && i < n; i++) {
+        const struct FN(psc_spot) p = {b[i], a[i], c[i]};
+        const real normal[3] = {f->normal[0][i], f->normal[1][i], f->normal[2][i]};
+        real share[3], distance, point[3], first, second;
+        struct FN(psc_plain_fan) fan;
+        struct FN(psc_face) face;
+
+        FN(load_face)(wave, i, &face);
+        fan.per_along = f->per_along[i];
+        fan.per_above = f->per_above[i];
+        fan.slant = f->slant[i];
+        fan.less_a = f->less_a[i];
+        fan.less_c = f->less_c[i];
+        FN(plain_hit)(&fan, &p, share, share + 1, share + 2, &distance);
+        FN(face_point)(&face, share[0], share[1], share[2], point, &first, &second);
+        FN(store_surface)(r, i, point, normal, distance * f->unit[i], first, second);
+    }
+}
+
+/* Which lights are wholly below the plane. */
+static void FN(find_hidden)(const struct psc_wave *restrict wave,
+                            struct FN(psc_results) *restrict r)
+{
+    const size_t n = wave->count;
+    double where[PSC_BLOCK];
+    size_t i;
+
+    for (i = 0; i < n; i++) {
+        const double normal[3] = {wave->normal[0][i], wave->normal[1][i], wave->normal[2][i]};
+        double position[3], vertices[9], a[3], b[3], c[3], size;
+
+        load_triangle(wave, i, position, vertices);
+        subtract3(vertices, position, a);
+        subtract3(vertices + 3, position, b);
+        subtract3(vertices + 6, position, c);
+        size = __builtin_sqrt(dot(normal, normal) * ((dot(a, a) + dot(b, b)) + dot(c, c)));
+        where[i] = see_plain_horizon(a, b, c, normal, size);
+    }
+    for (i = 0; i < n; i++)
+        if (r->status[i] == PSC_SUCCESS || r->status[i] == PSC_CULLED)
+            r->status[i] = where[i] < 0.0                ? PSC_PENDING
+                           : where[i] == PSC_CASE_EMPTY ? PSC_EMPTY
+                                                        : r->status[i];
+}
+
+#include "triangle_exact_wave_tmpl.h"
+#include "triangle_area_wave_tmpl.h"
+
+static void FN(triangle_wave)(const struct psc_wave *wave, const real *u, const real *v,
+                              struct FN(psc_results) *r)
+{
+    struct FN(psc_fans) fans;
+    int32_t low = 0;
+    int judged;
+    size_t i;
+
+    if (wave->measure != PSC_MEASURE_SOLID_ANGLE) {
+        (wave->measure == PSC_MEASURE_AREA ? FN(triangle_area_wave) : FN(pending_wave))(wave, u, v,
+                                                                                        r);
+        return;
+    }
+    (wave->surface ? FN(build_whole_elements) : FN(build_elements))(wave, &fans);
+    FN(find_halves)(wave->count, &fans);
+    FN(sample_elements)(wave, &fans, u, v, r);
+    judged = wave->facing != PSC_FACING_NONE && !wave->weight && FN(judge_elements)(wave, &fans, r);
+    if (!judged) {
+        FN(find_normals)(wave, &fans);
+        FN(weigh_elements)(wave->facing, wave->count, (const real(*)[PSC_BLOCK])fans.up, fans.half,
+                           fans.status, r);
+    }
+    FN(exact_elements)(wave, u, v, r);
+    if (wave->facing != PSC_FACING_ONE)
+        return;
+    /* What rounding may have put above the plane is still next to it. */
+    for (i = 0; i < wave->count; i++)
+        low |= judged ? r->status[i] == PSC_CULLED
+                      : !(r->value[PSC_WEIGHT][i] > K(0x1p-17) * fans.half[i]);
+    if (low)
+        FN(find_hidden)(wave, r);
+}
