@@ -104,6 +104,19 @@ static inline void light_horizon(const struct psc_outline *o, const double recei
         seen[1] = f ? dot(f[1], part) : part[1];
         seen[2] = kappa * high.high;
         h->z = dot(o->turned, seen) / scale;
+    } else {
+        /* The square of (x, y) has the roundings of the frame times 2 |(x, y)| tan alpha, and as
+           margin + z^2 about those of 1: the mean of the two that this leaves to be the best. */
+        const double square = h->x * h->x + h->y * h->y;
+        const double weight = 4.0 * square * (o->seen.at * o->seen.at);
+        const double other = h->margin + (h->z * h->z - square);
+
+        if (square > 0.0) {
+            const double more = 0.5 * (other / square) * (weight / (weight + 1.0));
+
+            h->x += more * h->x;
+            h->y += more * h->y;
+        }
     }
 }
 

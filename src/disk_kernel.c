@@ -26,6 +26,7 @@
 #include "fibre_kernel_tmpl.h"
 #include "fibre_lanes_tmpl.h"
 #include "disk_views_tmpl.h"
+#include "disk_lanes_tmpl.h"
 #include "fibre_wave_tmpl.h"
 #include "disk_wave_tmpl.h"
 

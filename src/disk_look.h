@@ -26,35 +26,6 @@ struct psc_disk_look {
     double middle, reach;       /* height of the centre over the horizon, and what is around it */
 };
 
-/* Products and sums of plain numbers and numbers in two words, as wide.h would have them. */
-PSC_LANE struct psc_wide exact_product(double a, double b)
-{
-    struct psc_wide r;
-
-    two_product(a, b, &r.high, &r.low);
-    return r;
-}
-
-PSC_LANE struct psc_wide scaled(double a, struct psc_wide b)
-{
-    struct psc_wide r;
-    double e;
-
-    two_product(a, b.high, &r.high, &e);
-    two_sum(r.high, e + a * b.low, &r.high, &r.low);
-    return r;
-}
-
-PSC_LANE struct psc_wide scaled_dot(const double a[3], const struct psc_wide b[3])
-{
-    return wide_sum(wide_sum(scaled(a[0], b[0]), scaled(a[1], b[1])), scaled(a[2], b[2]));
-}
-
-PSC_LANE struct psc_wide scaled_difference(double a, struct psc_wide b, double c, struct psc_wide d)
-{
-    return wide_sum(scaled(a, b), wide_negative(scaled(c, d)));
-}
-
 /* The outline; geometry is the centre, the normal and the radius. */
 PSC_LANE void look_at_disk(const double position[3], const double geometry[7],
                            struct psc_disk_look *o)

@@ -275,10 +275,7 @@ static void FN(wave_results)(const struct psc_wave *wave, enum psc_disk_map map,
 
 /* ---- The kernels ---- */
 
-typedef void (*FN(wave_view))(const struct psc_wave *wave, enum psc_disk_map map,
-                              struct FN(psc_disk_views) *o, psc_result *status);
-
-static void FN(disk_waves)(const struct psc_wave *wave, FN(wave_view) view, FN(disk_see) see,
+static void FN(disk_waves)(const struct psc_wave *wave, FN(view_loop) view, FN(disk_see) see,
                            int solid, const real *u, const real *v, struct FN(psc_results) *r)
 {
     const enum psc_disk_map map = disk_map_of(wave->measure, wave->map, 0);
@@ -294,18 +291,20 @@ static void FN(disk_waves)(const struct psc_wave *wave, FN(wave_view) view, FN(d
             r->status[i] = PSC_PENDING;
         return;
     }
-    view(wave, map, &o, r->status);
+    FN(view_all)(wave, view, map, &o, r->status);
     FN(wave_points)(map, wave->count, u, v, &o, r->status);
     FN(wave_results)(wave, map, solid, &o, r);
 }
 
-#define DISK_WAVE(name, solid)                                                                     \
+#define BY_MEASURE(cones, areas) (wave->measure == PSC_MEASURE_AREA ? FN(areas) : FN(cones))
+#define DISK_WAVE(name, view, solid)                                                               \
     static void FN(name##_wave)(const struct psc_wave *wave, const real *u, const real *v,         \
                                 struct FN(psc_results) *r)                                         \
     {                                                                                              \
-        FN(disk_waves)(wave, FN(view_##name##s), name##_see, solid, u, v, r);                      \
+        FN(disk_waves)(wave, view, name##_see, solid, u, v, r);                                    \
     }
-DISK_WAVE(disk, 0)
-DISK_WAVE(elliptical, 0)
-DISK_WAVE(ellipsoid, 1)
+DISK_WAVE(disk, BY_MEASURE(view_disk_cones, view_disk_areas), 0)
+DISK_WAVE(elliptical, BY_MEASURE(view_elliptical_cones, view_elliptical_areas), 0)
+DISK_WAVE(ellipsoid, FN(view_ellipsoid_cones), 1)
 #undef DISK_WAVE
+#undef BY_MEASURE

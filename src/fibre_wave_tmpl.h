@@ -6,6 +6,50 @@
  * one: receivers lit on both sides, panels, errors. Template: see precision.h.
  */
 
+typedef psc_result (*FN(disk_see))(psc_sampler *, const struct psc_request *, const double *);
+
+/* Whether the numbers of an element are ones that a build takes. */
+static int FN(wave_checks)(const struct psc_wave *wave, size_t i)
+{
+    double sum = 0.0;
+    int k;
+
+    for (k = 0; k < 3; k++)
+        sum += wave->position[k][i] * 0.0 + wave->normal[k][i] * 0.0;
+    for (k = 0; k < wave->parts; k++)
+        sum += wave->geometry[k][i] * 0.0;
+    return sum == 0.0 && (wave->facing == PSC_FACING_NONE || wave->normal[0][i] != 0.0 ||
+                          wave->normal[1][i] != 0.0 || wave->normal[2][i] != 0.0);
+}
+
+/* Sees element i. */
+static psc_result FN(see_element)(const struct psc_wave *wave, FN(disk_see) see, size_t i,
+                                  psc_sampler *s)
+{
+    const double position[3] = {wave->position[0][i], wave->position[1][i],
+                                wave->position[2][i]};
+    const double normal[3] = {wave->normal[0][i], wave->normal[1][i], wave->normal[2][i]};
+    double geometry[PSC_MAX_GEOMETRY];
+    struct psc_request request;
+    psc_result result;
+    int k;
+
+    if (!FN(wave_checks)(wave, i))
+        return PSC_PENDING;
+    request.measure = wave->measure;
+    request.map = wave->map;
+    request.facing = wave->facing;
+    request.position = position;
+    request.normal = wave->facing == PSC_FACING_NONE ? NULL : normal;
+    request.one_sided = wave->one_sided;
+    request.table = wave->table;
+    request.numbers = wave->parts;
+    for (k = 0; k < wave->parts; k++)
+        geometry[k] = wave->geometry[k][i];
+    result = see(s, &request, geometry);
+    return result < 0 ? PSC_PENDING : result;
+}
+
 /* By rule up to FIBRE_TERMS, clipped, brief. */
 enum { FN(FIBRE_LOOPS) = 3 * 4 };
 

@@ -29,7 +29,7 @@ LOOPS = [
     ("disk", r"find_(whole|clipped)_\d+_f\d\d", ()),
     ("disk", r"wave_(radial|concentric|parallel|area_\w+|quasi|hits_\w+)(_\d+)?_f\d\d", ()),
     ("disk", r"wave_(span_)?fit_\d+_f\d\d", ()),
-    ("disk", r"view_disk_(cones|areas)_f\d\d", ()),
+    ("disk", r"view_(disk|elliptical|ellipsoid)_(cones|areas)_f\d\d", ()),
     ("disk", r"fibre_wave_(place_)?(whole|clipped)\w*", ()),
     ("disk", r"place_(whole|clipped)(_brief)?_f\d\d", ()),
     ("polygon", r"(fan|plain)_block_f\d\d", ()),
