@@ -13,8 +13,17 @@ psc_result psc_build_disk(psc_sampler *sampler, const psc_technique *technique,
                           const double normal[3], double radius)
 {
     const double *const parts[] = {center, normal, &radius};
+    struct psc_request request;
+    double numbers[7];
 
-    return psc_build(sampler, &psc_shape_disk, geometry, technique, receiver, parts);
+    if (!center || !normal ||
+        !psc_disk_well(sampler, &psc_shape_disk, technique, receiver, &request))
+        return psc_build(sampler, &psc_shape_disk, geometry, technique, receiver, parts);
+    copy3(center, numbers);
+    copy3(normal, numbers + 3);
+    numbers[6] = radius;
+    request.numbers = 7;
+    return psc_fill(sampler, &psc_shape_disk, &request, numbers, 7);
 }
 
 psc_result psc_disk_sample_n_f64(const psc_technique *technique, size_t count,

@@ -142,18 +142,22 @@ static inline enum psc_disk_map disk_map_of(psc_measure measure, psc_map map, in
                                           : solid_angle)[map];
 }
 
-/* The map of a cone that is seen, and its total. */
+/* The map of a cone that is seen, or of a flat light by area, and its total. */
 static inline void disk_head(psc_sampler *s, const psc_table *table)
 {
     struct psc_disk_light *d = &s->disk;
-    const int area = s->measure == PSC_MEASURE_AREA;
 
     s->sides = 1;
-    memcpy(d->axis, d->seen.z, sizeof d->axis);
     d->map = disk_map_of(s->measure, s->map, d->inside);
+    if (s->measure == PSC_MEASURE_AREA) {
+        d->axis[0] = d->axis[1] = d->axis[2] = 0.0;
+        s->total = d->area;
+        return;
+    }
+    memcpy(d->axis, d->seen.z, sizeof d->axis);
     if (d->map == PSC_DISK_TABULATED)
         table_choose(d, table);
-    s->total = d->inside ? 4.0 * PSC_PI : area ? d->area : ellipse_total(&d->seen);
+    s->total = d->inside ? 4.0 * PSC_PI : ellipse_total(&d->seen);
     choose_rules(d);
 }
 
@@ -199,12 +203,13 @@ static inline void disk_fit(psc_sampler *s)
     cdf_build(&d->cdf, &d->seen);
 }
 
-/* What questions about projected solid angle are answered from, whatever is sampled. */
+/* What questions about other measures are answered from, whatever is sampled. */
 static inline void keep_given(struct psc_disk_light *d, const struct psc_request *request,
                               const double *geometry, int numbers)
 {
-    memcpy(d->given_position, request->position, sizeof d->given_position);
-    memcpy(d->given_normal, request->normal, sizeof d->given_normal);
+    copy3(request->position, d->given_position);
+    if (request->normal)
+        copy3(request->normal, d->given_normal);
     d->numbers = numbers;
     memcpy(d->given, geometry, (size_t)numbers * sizeof *geometry);
 }
@@ -216,7 +221,7 @@ static inline void keep_given(struct psc_disk_light *d, const struct psc_request
     {                                                                                           \
         const psc_result result = name##_see(s, request, geometry);                             \
                                                                                                 \
-        if (request->normal)                                                                    \
+        if (request->normal || request->measure == PSC_MEASURE_AREA)                            \
             keep_given(&s->disk, request, geometry, numbers);                                   \
         if (result == PSC_SUCCESS && s->projected)                                              \
             return fibre_sides(s);                                                              \

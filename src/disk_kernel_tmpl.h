@@ -20,10 +20,11 @@
 #define DISK_FIT(d) ((d)->fit_f32)
 #define DISK_TERMS PSC_MOST_TERMS_F32
 #define DISK_RULE_TABLE(m) psc_rule_f32_##m
-/* Squares of distances in units of the light's size must be numbers. */
+/* Cubes of distances must be numbers: the height of the receiver over the light, by the larger of
+   its distance and its size. */
 #define AREA_LEAST 1e-12
 #endif
-#define AREA_FITS(d) ((d)->seen.ca > AREA_LEAST)
+#define AREA_FITS(d) ((d)->laid.height > AREA_LEAST)
 
 static void FN(round_point)(const struct psc_disk_point_f64 *wide, struct FN(psc_disk_point) *p)
 {

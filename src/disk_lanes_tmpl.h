@@ -47,25 +47,28 @@ PSC_LANE double FN(is_lit)(const struct psc_wave *wave, double facing)
     return POSITIVE((wave->one_sided ? 0.0 : 2.0) - facing);
 }
 
-/* Of element e what all lights have; `area` is that of the light if samples are by area, or 0. */
-PSC_LANE void FN(store_view)(const struct FN(psc_element) *from, const double *area,
-                             enum psc_disk_map map, const struct psc_outline *o, double unit,
-                             double able, double lit, size_t e, struct FN(psc_disk_world) *w,
-                             struct FN(psc_disk_views) *restrict to)
+PSC_LANE void FN(wave_receiver)(const struct FN(psc_element) *from, struct FN(psc_disk_world) *w)
+{
+    double receiver[3];
+    int i;
+
+    unit_normal(from->receiver, receiver);
+    for (i = 0; i < 3; i++) {
+        w->center[i] = (real)from->geometry[i];
+        w->receiver[i] = (real)receiver[i];
+    }
+}
+
+/* The cone of element e; w has what is the light's own. */
+PSC_LANE void FN(wave_cone)(const struct FN(psc_element) *from, enum psc_disk_map map,
+                            const struct psc_outline *o, double unit, double able, size_t e,
+                            struct FN(psc_disk_world) *w, struct FN(psc_disk_views) *restrict to)
 {
     const struct psc_ellipse *cone = &o->seen;
-    double unit_receiver[3], total;
+    const double total =
+        ellipse_solid_angle(cone->a, cone->ca, cone->b, cone->cb, PSC_REGULAR_STEPS);
     int i, k;
 
-    able *= from->able;
-    if (area) {
-        total = *area;
-        able *= POSITIVE(cone->ca - AREA_LEAST);
-    } else {
-        total = ellipse_solid_angle(cone->a, cone->ca, cone->b, cone->cb, PSC_REGULAR_STEPS);
-        able *= POSITIVE(cone->ca) * POSITIVE(total) *
-                (cone->ca >= PSC_ELLIPSE_REGULAR * cone->cb ? 1.0 : 0.0);
-    }
     FN(cone_world)(cone, o->reach * unit, total, 1.0 / total, w);
     w->near = (real)o->near;
     w->far = (real)o->far;
@@ -74,16 +77,33 @@ PSC_LANE void FN(store_view)(const struct FN(psc_element) *from, const double *a
         for (i = 0; i < 2; i++)
             w->side[k][i] = (real)o->side[k][i];
     }
-    unit_normal(from->receiver, unit_receiver);
-    for (i = 0; i < 3; i++) {
+    for (i = 0; i < 3; i++)
         w->axis[i] = w->z[i];
-        w->center[i] = (real)from->geometry[i];
-        w->receiver[i] = (real)unit_receiver[i];
+    FN(wave_receiver)(from, w);
+    FN(store_cone)(w, cone, map, e, to);
+    to->able[e] = able * from->able * (POSITIVE(cone->ca) * POSITIVE(total) *
+                                       (cone->ca >= PSC_ELLIPSE_REGULAR * cone->cb ? 1.0 : 0.0));
+}
+
+/* The same of a light by area. */
+PSC_LANE void FN(wave_area)(const struct FN(psc_element) *from, const double frame[3][3],
+                            const struct psc_laid *f, double unit, double able, size_t e,
+                            struct FN(psc_disk_world) *w, struct FN(psc_disk_views) *restrict to)
+{
+    int i;
+
+    FN(area_world)(f, unit, w);
+    for (i = 0; i < 3; i++) {
+        w->x[i] = (real)frame[0][i];
+        w->y[i] = (real)frame[1][i];
+        w->z[i] = (real)frame[2][i];
+        w->axis[i] = K(0.0);
     }
-    FN(store_flat)(w, e, to);
-    FN(store_cone)(cone, map, e, to);
-    to->able[e] = able;
-    to->lit[e] = lit;
+    w->side[0][0] = w->side[1][1] = K(1.0);
+    w->side[0][1] = w->side[1][0] = K(0.0);
+    FN(wave_receiver)(from, w);
+    FN(store_area)(w, e, to);
+    to->able[e] = able * from->able * POSITIVE(f->height - AREA_LEAST);
 }
 
 PSC_LANE void FN(view_disk)(int area, const struct psc_wave *wave, enum psc_disk_map map, size_t e,
@@ -92,24 +112,32 @@ PSC_LANE void FN(view_disk)(int area, const struct psc_wave *wave, enum psc_disk
     struct FN(psc_disk_world) w;
     struct FN(psc_element) from;
     struct psc_disk_look o;
-    double radius, whole;
+    double radius, able, frame[3][3];
+    struct psc_laid laid;
     int i, k;
 
     FN(load_element)(wave, 7, e, &from);
     radius = from.geometry[6];
-    look_at_disk(from.position, from.geometry, &o);
+    able = POSITIVE(radius) * POSITIVE(largest(from.geometry + 3));
+    face_disk(from.position, from.geometry, &o);
     look_at_horizon(from.receiver, wave->facing == PSC_FACING_BOTH, &o);
-    for (i = 0; i < 3; i++) {
-        for (k = 0; k < 2; k++)
-            w.across[k][i] = (real)disk_across(&o, radius, k, i);
+    to->lit[e] = POSITIVE(o.height) * FN(is_lit)(wave, o.facing) *
+                 FN(is_above)(wave, o.middle, o.reach);
+    for (i = 0; i < 3; i++)
         w.normal[i] = (real)o.outward[i];
+    if (area) {
+        lay_disk(&o, frame, &laid);
+        for (i = 0; i < 3; i++)
+            for (k = 0; k < 2; k++)
+                w.across[k][i] = (real)(radius * o.axes[k][i]);
+        FN(wave_area)(&from, (const double(*)[3])frame, &laid, o.unit, able, e, &w, to);
+    } else {
+        look_at_disk(&o);
+        for (i = 0; i < 3; i++)
+            for (k = 0; k < 2; k++)
+                w.across[k][i] = (real)disk_across(&o, radius, k, i);
+        FN(wave_cone)(&from, map, &o.outline, o.unit, able * POSITIVE(o.seen), e, &w, to);
     }
-    whole = disk_area(radius);
-    FN(store_view)(&from, area ? &whole : NULL, map, &o.outline, o.unit,
-                   POSITIVE(radius) * POSITIVE(largest(from.geometry + 3)),
-                   POSITIVE(o.seen) * FN(is_lit)(wave, o.facing) *
-                       FN(is_above)(wave, o.middle, o.reach),
-                   e, &w, to);
 }
 
 PSC_LANE void FN(view_elliptical)(int area, const struct psc_wave *wave, enum psc_disk_map map,
@@ -118,21 +146,32 @@ PSC_LANE void FN(view_elliptical)(int area, const struct psc_wave *wave, enum ps
     struct FN(psc_disk_world) w;
     struct FN(psc_element) from;
     struct psc_ellipse_look o;
-    double middle, reach;
+    double middle, reach, frame[3][3];
+    struct psc_laid laid;
     int i, k;
 
     FN(load_element)(wave, 9, e, &from);
-    look_at_ellipse(from.position, from.geometry, 1, &o);
+    face_ellipse(from.position, from.geometry, &o);
     see_horizon(from.receiver, wave->facing == PSC_FACING_BOTH, o.offset,
                 (const double(*)[3])o.axes, 2, &middle, &reach);
-    for (i = 0; i < 3; i++) {
-        for (k = 0; k < 2; k++)
-            w.across[k][i] = (real)ellipse_across(&o, k, i);
+    to->lit[e] = POSITIVE(o.height) * FN(is_lit)(wave, o.facing) *
+                 FN(is_above)(wave, middle, reach);
+    for (i = 0; i < 3; i++)
         w.normal[i] = (real)o.outward[i];
+    if (area) {
+        lay_ellipse(&o, frame, &laid);
+        for (i = 0; i < 3; i++)
+            for (k = 0; k < 2; k++)
+                w.across[k][i] = (real)from.geometry[3 + 3 * k + i];
+        FN(wave_area)(&from, (const double(*)[3])frame, &laid, o.unit, POSITIVE(o.area), e, &w, to);
+    } else {
+        look_at_ellipse(1, &o);
+        for (i = 0; i < 3; i++)
+            for (k = 0; k < 2; k++)
+                w.across[k][i] = (real)ellipse_across(&o, k, i);
+        FN(wave_cone)(&from, map, &o.outline, o.unit, POSITIVE(o.area) * POSITIVE(o.seen), e, &w,
+                      to);
     }
-    FN(store_view)(&from, area ? &o.area : NULL, map, &o.outline, o.unit,
-                   POSITIVE(o.area) * POSITIVE(o.seen),
-                   FN(is_lit)(wave, o.facing) * FN(is_above)(wave, middle, reach), e, &w, to);
 }
 
 /* From outside. */
@@ -165,9 +204,9 @@ PSC_LANE void FN(view_ellipsoid)(const struct psc_wave *wave, enum psc_disk_map 
         w.normal[i] = K(0.0);
     }
     FN(store_solid)(&w, e, to);
-    FN(store_view)(&from, NULL, map, &o.outline, o.unit,
-                   POSITIVE(o.square) * POSITIVE(o.outline.seen.bt),
-                   FN(is_above)(wave, middle, reach), e, &w, to);
+    to->lit[e] = FN(is_above)(wave, middle, reach);
+    FN(wave_cone)(&from, map, &o.outline, o.unit,
+                  POSITIVE(o.square) * POSITIVE(o.outline.seen.bt), e, &w, to);
 }
 #undef POSITIVE
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * What a receiver sees of a circular disk: a lane function, the same for one element and for many.
+ * What a receiver sees of a circular disk: lane functions, the same for one element and for many.
  *
  * With d the distance to the plane, y that of the centre from the plane's nearest point and m1,
  * m2 the distances of the nearest and the farthest point of the rim,
@@ -12,6 +12,7 @@
 #ifndef PSC_SRC_DISK_LOOK_H
 #define PSC_SRC_DISK_LOOK_H
 
+#include "disk_side.h"
 #include "ellipse_view.h"
 
 struct psc_disk_look {
@@ -21,45 +22,78 @@ struct psc_disk_look {
     struct psc_outline outline; /* likewise */
     double axes[2][3];          /* unit vectors across the normal */
     double outward[3];          /* the unit normal */
-    double facing;              /* -1 for a receiver in front of the disk */
-    double seen;                /* 0 in the plane of the disk */
+    double facing, height;      /* -1 for a receiver in front of the disk; of it over the plane */
+    struct psc_wide nn, nc;     /* squares and products of the normal and the offset */
+    double seen;                /* 0 if nothing is */
     double middle, reach;       /* height of the centre over the horizon, and what is around it */
 };
 
-/* The outline; geometry is the centre, the normal and the radius. */
-PSC_LANE void look_at_disk(const double position[3], const double geometry[7],
-                           struct psc_disk_look *o)
+/* How the receiver lies to the plane; geometry is the centre, the normal and the radius. */
+PSC_LANE void face_disk(const double position[3], const double geometry[7],
+                        struct psc_disk_look *o)
 {
-    struct psc_ellipse *e = &o->outline.seen;
-    struct psc_wide v[3], nn, nc, vv, rr;
-    double high[3], length, shrink, d, y, y_part, gap, sum, m1, m2, t, p, root, other;
-    double root_lp, root_lm, foot[3], up[3], across[3], x, z, size, on_axis;
+    double high[3], shrink;
     int i;
 
     for (i = 0; i < 3; i++)
         high[i] = geometry[i] - position[i];
     o->scale = unit_scale(MAX(largest(high), geometry[6]));
-    o->unit = 1.0 / o->scale;
+    o->unit = unit_inverse(o->scale);
     see_offset(position, geometry, o->scale, o->offset);
     (void)scale_to_one(geometry + 3, o->normal);
     o->radius = geometry[6] * o->scale;
-    nn = wide_sum(wide_sum(exact_product(o->normal[0], o->normal[0]),
-                           exact_product(o->normal[1], o->normal[1])),
-                  exact_product(o->normal[2], o->normal[2]));
-    nc = scaled_dot(o->normal, o->offset);
+    o->nn = wide_sum(wide_sum(exact_product(o->normal[0], o->normal[0]),
+                              exact_product(o->normal[1], o->normal[1])),
+                     exact_product(o->normal[2], o->normal[2]));
+    o->nc = scaled_dot(o->normal, o->offset);
+    shrink = 1.0 / SQRT(o->nn.high);
+    o->facing = COPYSIGN(1.0, o->nc.high);
+    o->height = ABS(o->nc.high) * shrink;
+    for (i = 0; i < 3; i++)
+        o->outward[i] = o->normal[i] * shrink;
+    perpendicular(o->outward, o->axes[0]);
+    cross_rounded(o->outward, o->axes[0], o->axes[1]);
+}
+
+/* For samples by area: the frame of struct psc_laid, and that. */
+PSC_LANE void lay_disk(const struct psc_disk_look *o, double frame[3][3], struct psc_laid *f)
+{
+    const double high[3] = {o->offset[0].high, o->offset[1].high, o->offset[2].high};
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        frame[0][i] = o->axes[0][i];
+        frame[1][i] = o->axes[1][i];
+        frame[2][i] = o->facing * o->outward[i];
+    }
+    f->x = dot(high, o->axes[0]);
+    f->y = dot(high, o->axes[1]);
+    f->height = o->height;
+    f->a = f->b = o->radius;
+    f->skew = 0.0;
+    f->scale = PSC_PI * o->height * (o->radius * o->radius);
+}
+
+/* The outline of what face_disk() left. */
+PSC_LANE void look_at_disk(struct psc_disk_look *o)
+{
+    struct psc_ellipse *e = &o->outline.seen;
+    struct psc_wide v[3], vv, rr;
+    double shrink, y, y_part, gap, sum, m1, m2, t, p, root, other;
+    double root_lp, root_lm, foot[3], up[3], across[3], x, z, size, on_axis;
+    const double d = o->height;
+    int i;
+
     for (i = 0; i < 3; i++)
         v[i] = scaled_difference(o->normal[(i + 1) % 3], o->offset[(i + 2) % 3],
                                  o->normal[(i + 2) % 3], o->offset[(i + 1) % 3]);
     vv = wide_dot(v, v);
-    length = SQRT(nn.high);
-    shrink = 1.0 / length;
-    o->facing = COPYSIGN(1.0, nc.high);
-    d = ABS(nc.high) * shrink;
+    shrink = 1.0 / SQRT(o->nn.high);
     y_part = SQRT(vv.high);
     y = y_part * shrink;
-    rr = wide_product(exact_product(o->radius, o->radius), nn);
+    rr = wide_product(exact_product(o->radius, o->radius), o->nn);
     sum = y + o->radius;
-    gap = wide_sum(vv, wide_negative(rr)).high / (nn.high * sum);
+    gap = wide_sum(vv, wide_negative(rr)).high / (o->nn.high * sum);
     m1 = SQRT(gap * gap + d * d);
     m2 = SQRT(sum * sum + d * d);
     t = gap * sum + d * d;
@@ -82,12 +116,8 @@ PSC_LANE void look_at_disk(const double position[3], const double geometry[7],
     o->seen = root_lp > 0.0 ? root_lm : 0.0;
 
     /* up: the normal away from the receiver; foot: in the plane towards the centre */
-    for (i = 0; i < 3; i++) {
-        o->outward[i] = o->normal[i] * shrink;
+    for (i = 0; i < 3; i++)
         up[i] = o->facing * o->outward[i];
-    }
-    perpendicular(o->outward, o->axes[0]);
-    cross_rounded(o->outward, o->axes[0], o->axes[1]);
     on_axis = vv.high > 0.0 ? 0.0 : 1.0;
     size = -o->facing / (on_axis > 0.0 ? 1.0 : y_part);
     for (i = 0; i < 3; i++) {

@@ -8,8 +8,8 @@
 /*
  * A sampled direction (x, y, 1 + z), accurate relative to the semi-arcs. Radial and concentric:
  * c, s the cosine and sine of eta, rest = v. Parallel: of tau, and rest = 4 v (1 - v), see
- * chord_point(). Area maps: c, s are the point (q_x, q_y) of the light, see ellipse_view.h, and
- * rest its distance in units of area_reach.
+ * chord_point(). Area maps: (x, y, z) in the frame of struct psc_laid, c, s are the point of the
+ * light and rest is its distance in units of area_reach.
  */
 struct FN(psc_disk_point) {
     real x, y, z, c, s, rest;
@@ -24,7 +24,8 @@ struct FN(psc_disk_world) {
     real center[3], across[2][3], normal[3];
     real receiver[3]; /* its normal */
     real total, inverse_total;
-    real flat_b, area_scale, area_reach;
+    real flat_x, flat_y, flat_height, flat_a, flat_skew, flat_b; /* see struct psc_laid */
+    real area_scale, area_reach;
     real far_off, beyond, solid_axis[3][3], inverse[3][3], unit, offset[3];
     enum psc_facing facing;
     enum psc_disk_map map;
@@ -35,7 +36,7 @@ struct FN(psc_disk_world) {
 PSC_LANE void FN(cone_world)(const struct psc_ellipse *e, double reach, double total,
                              double inverse_total, struct FN(psc_disk_world) *w)
 {
-    const double scale = ellipse_quasi_scale(e), per_cb = e->ca / e->cb;
+    const double scale = ellipse_quasi_scale(e);
     int i;
 
     w->a = (real)e->a;
@@ -53,13 +54,50 @@ PSC_LANE void FN(cone_world)(const struct psc_ellipse *e, double reach, double t
     w->reach = (real)reach;
     w->total = (real)total;
     w->inverse_total = (real)inverse_total;
-    w->flat_b = (real)(per_cb * e->b);
-    w->area_scale = (real)(PSC_PI * e->a * e->b * per_cb * e->ca);
-    w->area_reach = (real)(reach / e->ca);
     for (i = 0; i < 3; i++) {
         w->x[i] = (real)e->x[i];
         w->y[i] = (real)e->y[i];
         w->z[i] = (real)e->z[i];
+    }
+}
+
+/* What samples by area need beside the frame. */
+PSC_LANE void FN(area_world)(const struct psc_laid *f, double unit, struct FN(psc_disk_world) *w)
+{
+    w->flat_x = (real)f->x;
+    w->flat_y = (real)f->y;
+    w->flat_height = (real)f->height;
+    w->flat_a = (real)f->a;
+    w->flat_skew = (real)f->skew;
+    w->flat_b = (real)f->b;
+    w->area_scale = (real)f->scale;
+    w->area_reach = (real)unit;
+}
+
+/* Of a flat light by area. */
+PSC_LANE void FN(flat_world)(const psc_sampler *s, struct FN(psc_disk_world) *w)
+{
+    const struct psc_disk_light *d = &s->disk;
+    int i, k;
+
+    FN(area_world)(&d->laid, d->reach, w);
+    w->facing = s->facing;
+    w->map = d->map;
+    w->hit = PSC_DISK_HIT_AREA;
+    for (i = 0; i < 3; i++) {
+        w->x[i] = (real)d->seen.x[i];
+        w->y[i] = (real)d->seen.y[i];
+        w->z[i] = (real)d->seen.z[i];
+        w->axis[i] = K(0.0);
+        w->center[i] = (real)d->center[i];
+        w->normal[i] = (real)d->normal[i];
+        w->receiver[i] = (real)d->receiver[i];
+    }
+    for (k = 0; k < 2; k++) {
+        for (i = 0; i < 2; i++)
+            w->side[k][i] = (real)d->side[k][i];
+        for (i = 0; i < 3; i++)
+            w->across[k][i] = (real)d->across[k][i];
     }
 }
 
@@ -68,6 +106,10 @@ PSC_LANE void FN(disk_world)(const psc_sampler *s, struct FN(psc_disk_world) *w)
     const struct psc_disk_light *d = &s->disk;
     int i, k;
 
+    if (s->measure == PSC_MEASURE_AREA) {
+        FN(flat_world)(s, w);
+        return;
+    }
     FN(cone_world)(&d->seen, d->reach, s->total, s->inverse_total, w);
     w->near = (real)d->near;
     w->far = (real)d->far;
@@ -223,46 +265,34 @@ PSC_LANE void FN(boost)(real near, real far, real x, real y, real h, real margin
     *qy = (p - m) * *inverse;
 }
 
-/*
- * Area maps: the point (s, t) of the light, 1 - s^2 - t^2 = rest. W V of ellipse_view.h takes it to
- * (at U, bt V, 1) D' / 2 in the frame of the cone, in units of reach: linear, without a quotient.
- * Here times cos alpha, so that no tangent is needed: in units of area_reach.
- */
-PSC_LANE void FN(area_point)(const struct FN(psc_disk_world) *w, real s, real t, real rest,
+/* Area maps: the point (s, t) of the light, see struct psc_laid. */
+PSC_LANE void FN(area_point)(const struct FN(psc_disk_world) *w, real s, real t,
                              struct FN(psc_disk_point) *p)
 {
-    const real qx = w->side[0][0] * s + w->side[0][1] * t;
-    const real qy = w->side[1][0] * s + w->side[1][1] * t;
-    const real sum = K(1.0) + ABS(qy), other = (rest + qx * qx) / sum;
-    const real plus = qy < K(0.0) ? other : sum, minus = qy < K(0.0) ? sum : other;
-    const real ty = K(0.5) * (w->far * plus - w->near * minus);
-    const real x = w->a * (w->turn[0] * qx - w->turn[1] * ty);
-    const real y = w->flat_b * (w->turn[1] * qx + w->turn[0] * ty);
-    const real z = w->ca * (K(0.5) * (w->far * plus + w->near * minus));
-    const real length = SQRT((x * x + y * y) + z * z), inverse = K(1.0) / length;
+    const real x = w->flat_x + (w->flat_a * s + w->flat_skew * t), y = w->flat_y + w->flat_b * t;
+    const real length = SQRT((x * x + y * y) + w->flat_height * w->flat_height);
+    const real inverse = K(1.0) / length;
 
     p->x = x * inverse;
     p->y = y * inverse;
-    p->z = -(p->x * p->x + p->y * p->y) * (length / (length + z));
-    p->c = qx;
-    p->s = qy;
+    p->z = w->flat_height * inverse;
+    p->c = s;
+    p->s = t;
     p->rest = length;
 }
 
 PSC_LANE void FN(area_polar)(const struct FN(psc_disk_world) *w, int concentric, real u, real v,
                            struct FN(psc_disk_point) *p)
 {
-    real c, s, versine, radius, margin, rest;
+    real c, s, versine, radius, margin;
 
     if (concentric) {
         FN(square_to_disk)(u, v, &c, &s, &versine, &radius, &margin);
-        rest = margin * (K(1.0) + radius);
     } else {
         FN(full_turn)(u, &c, &s);
         radius = SQRT(K(1.0) - v);
-        rest = v;
     }
-    FN(area_point)(w, radius * c, radius * s, rest, p);
+    FN(area_point)(w, radius * c, radius * s, p);
 }
 
 /* Chords of the disk at the height sin E, E + sin E cos E = pi (u - 1/2). */
@@ -272,8 +302,7 @@ PSC_LANE void FN(area_chord)(const struct FN(psc_disk_world) *w, real u, real v,
     real half, height;
 
     FN(solve_chord)(K(2.0) * MIN(u, K(1.0) - u), &half, &height);
-    FN(area_point)(w, (K(2.0) * v - K(1.0)) * half, COPYSIGN(height, u - K(0.5)),
-                   K(4.0) * v * (K(1.0) - v) * (half * half), p);
+    FN(area_point)(w, (K(2.0) * v - K(1.0)) * half, COPYSIGN(height, u - K(0.5)), p);
 }
 
 PSC_LANE void FN(area_lane)(enum psc_disk_map map, const struct FN(psc_disk_world) *w, real u, real v,

@@ -83,12 +83,23 @@ static inline enum psc_disk_hit disk_hit_of(enum psc_disk_map map, int solid)
                                          : PSC_DISK_HIT_FLAT;
 }
 
+/*
+ * How a flat light lies to a receiver that samples it by area, in units of `reach`: the vector to
+ * the point (s, t) of the light is
+ *     (x + a s + skew t) i + (y + b t) j + height n,
+ * with n the normal away from the receiver, and i, j, n where a cone has its frame.
+ */
+struct psc_laid {
+    double x, y, height, a, skew, b;
+    double scale; /* pi height |a b|: the density at the distance r is r^3 / scale */
+};
+
 /* Numbers of the geometry, at most. */
 #define PSC_DISK_NUMBERS 12
 
 struct psc_disk_light {
     struct psc_ellipse seen;
-    double axis[3]; /* what an offset from the axis is added to: seen.z */
+    double axis[3]; /* what an offset from the axis is added to: seen.z; 0 by area */
     enum psc_disk_map map;
     const float *shares; /* of PSC_DISK_TABULATED: the row of the table, with one more than cells */
     uint32_t cells;
@@ -103,6 +114,7 @@ struct psc_disk_light {
     double receiver[3]; /* unit normal of the receiver, or 0 */
     double normal[3]; /* of a flat light */
     double area;      /* likewise */
+    struct psc_laid laid;
 
     /* An ellipsoid, seen from the distance `far_off` in the units in which it is the unit sphere:
        solid_axis[2] is from the receiver to the centre, inverse the transposed inverse of
@@ -116,7 +128,8 @@ struct psc_disk_light {
     struct psc_horizon horizon;
     struct psc_fibres fibres[2];
 
-    /* What a receiver with a normal was built with, for questions in that measure. */
+    /* What this was built with, for questions in other measures than that; not without a normal, but
+       by area. */
     double given_position[3], given_normal[3], given[PSC_DISK_NUMBERS];
     int numbers;
 };

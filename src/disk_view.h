@@ -48,6 +48,18 @@ static inline void take_outline(struct psc_disk_light *d, const struct psc_outli
     memcpy(d->side, o->side, sizeof d->side);
 }
 
+/* A light that is sampled by area, see struct psc_laid, in units of `unit`: directions are sums
+   of the frame alone, and its points are in terms of its own semi-axes. */
+static inline void take_frame(struct psc_disk_light *d, double frame[3][3], double unit)
+{
+    copy3(frame[0], d->seen.x);
+    copy3(frame[1], d->seen.y);
+    copy3(frame[2], d->seen.z);
+    d->reach = unit;
+    d->side[0][0] = d->side[1][1] = 1.0;
+    d->side[0][1] = d->side[1][0] = 0.0;
+}
+
 /* The height of the light above the receiver's horizon, from its semi-axes. */
 static inline psc_case disk_case(const struct psc_request *request, const struct psc_wide offset[3],
                                  const double axes[][3], int count)
@@ -83,13 +95,9 @@ static inline psc_result disk_see(psc_sampler *s, const struct psc_request *requ
         rough[i] = geometry[i] - request->position[i];
     if (!is_finite3(rough))
         return PSC_ERROR_NOT_FINITE;
-    look_at_disk(request->position, geometry, &o);
-    if (!(o.seen > 0.0) || (request->one_sided && o.facing > 0.0))
+    face_disk(request->position, geometry, &o);
+    if (!(o.height > 0.0) || (request->one_sided && o.facing > 0.0))
         return PSC_EMPTY;
-    if (request->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE) {
-        scale_to_one(request->normal, rough);
-        disk_horizon(o.offset, o.normal, o.radius, &o.outline, rough, &d->horizon);
-    }
     s->visibility = PSC_CASE_NO_HORIZON;
     if (request->facing != PSC_FACING_NONE) {
         look_at_horizon(request->normal, request->facing == PSC_FACING_BOTH, &o);
@@ -97,8 +105,24 @@ static inline psc_result disk_see(psc_sampler *s, const struct psc_request *requ
     }
     if (s->visibility == PSC_CASE_EMPTY)
         return PSC_EMPTY;
-    memcpy(d->center, geometry, sizeof d->center);
-    memcpy(d->normal, o.outward, sizeof d->normal);
+    copy3(geometry, d->center);
+    copy3(o.outward, d->normal);
+    if (request->measure == PSC_MEASURE_AREA) {
+        double frame[3][3];
+
+        lay_disk(&o, frame, &d->laid);
+        take_frame(d, frame, o.unit);
+        for (k = 0; k < 2; k++)
+            scale3(radius, o.axes[k], d->across[k]);
+        return PSC_SUCCESS;
+    }
+    look_at_disk(&o);
+    if (!(o.seen > 0.0))
+        return PSC_EMPTY;
+    if (request->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE) {
+        scale_to_one(request->normal, rough);
+        disk_horizon(o.offset, o.normal, o.radius, &o.outline, rough, &d->horizon);
+    }
     take_outline(d, &o.outline, o.unit);
     for (k = 0; k < 2; k++)
         for (i = 0; i < 3; i++)
@@ -135,11 +159,28 @@ static inline psc_result elliptical_see(psc_sampler *s, const struct psc_request
     result = check_axes(request, geometry, 2);
     if (result != PSC_SUCCESS)
         return result;
-    look_at_ellipse(request->position, geometry, 0, &o);
+    face_ellipse(request->position, geometry, &o);
     if (!(o.area > 0.0))
         return PSC_EMPTY;
     d->area = o.area;
-    if (!(o.seen > 0.0) || (request->one_sided && o.facing > 0.0))
+    if (!(o.height > 0.0) || (request->one_sided && o.facing > 0.0))
+        return PSC_EMPTY;
+    s->visibility = disk_case(request, o.offset, (const double(*)[3])o.axes, 2);
+    if (s->visibility == PSC_CASE_EMPTY)
+        return PSC_EMPTY;
+    copy3(geometry, d->center);
+    copy3(o.outward, d->normal);
+    if (request->measure == PSC_MEASURE_AREA) {
+        double frame[3][3];
+
+        lay_ellipse(&o, frame, &d->laid);
+        take_frame(d, frame, o.unit);
+        copy3(geometry + 3, d->across[0]);
+        copy3(geometry + 6, d->across[1]);
+        return PSC_SUCCESS;
+    }
+    look_at_ellipse(0, &o);
+    if (!(o.seen > 0.0))
         return PSC_EMPTY;
     if (request->measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE) {
         struct psc_wide wide[2][3];
@@ -151,11 +192,6 @@ static inline psc_result elliptical_see(psc_sampler *s, const struct psc_request
         light_horizon(&o.outline, normal, (const struct psc_wide(*)[3])wide, 2, NULL, o.offset, 1.0,
                       &d->horizon);
     }
-    s->visibility = disk_case(request, o.offset, (const double(*)[3])o.axes, 2);
-    if (s->visibility == PSC_CASE_EMPTY)
-        return PSC_EMPTY;
-    memcpy(d->center, geometry, sizeof d->center);
-    memcpy(d->normal, o.outward, sizeof d->normal);
     take_outline(d, &o.outline, o.unit);
     for (k = 0; k < 2; k++)
         for (i = 0; i < 3; i++)

@@ -13,8 +13,17 @@ psc_result psc_build_ellipse(psc_sampler *sampler, const psc_technique *techniqu
                           const double axis_u[3], const double axis_v[3])
 {
     const double *const parts[] = {center, axis_u, axis_v};
+    struct psc_request request;
+    double numbers[9];
 
-    return psc_build(sampler, &psc_shape_ellipse, geometry, technique, receiver, parts);
+    if (!center || !axis_u || !axis_v ||
+        !psc_disk_well(sampler, &psc_shape_ellipse, technique, receiver, &request))
+        return psc_build(sampler, &psc_shape_ellipse, geometry, technique, receiver, parts);
+    copy3(center, numbers);
+    copy3(axis_u, numbers + 3);
+    copy3(axis_v, numbers + 6);
+    request.numbers = 9;
+    return psc_fill(sampler, &psc_shape_ellipse, &request, numbers, 9);
 }
 
 psc_result psc_ellipse_sample_n_f64(const psc_technique *technique, size_t count,

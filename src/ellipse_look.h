@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* What a receiver sees of an elliptical disk: a lane function, the same for one element and for
+/* What a receiver sees of an elliptical disk: lane functions, the same for one element and for
    many. */
 #ifndef PSC_SRC_ELLIPSE_LOOK_H
 #define PSC_SRC_ELLIPSE_LOOK_H
 
+#include "disk_side.h"
 #include "ellipse_view.h"
 
 struct psc_ellipse_look {
@@ -11,67 +12,96 @@ struct psc_ellipse_look {
     struct psc_wide offset[3];  /* of the centre, in units of `unit`, as are the semi-axes */
     double axes[2][3];
     struct psc_outline outline; /* likewise */
-    double outward[3], area;    /* the unit normal; in the caller's units */
-    double facing;              /* -1 for a receiver in front of the disk */
-    double seen;                /* 0 in the plane of the disk */
+    double outward[3], facing;  /* the unit normal; -1 for a receiver in front of the disk */
+    double parallelogram, area; /* of the semi-axes; of the disk, in the caller's units */
+    double height;              /* of the receiver over the plane */
+    double shrink;              /* a power of two that makes the parallelogram about 1 */
+    struct psc_wide n[3], nn;   /* the product of the semi-axes times that, and its square */
+    double seen;                /* 0 if nothing is */
 };
 
-/* geometry: centre, two conjugate semi-axes. If `many`, in a loop. */
-PSC_LANE void look_at_ellipse(const double position[3], const double *geometry, int many,
-                              struct psc_ellipse_look *o)
+/* How the receiver lies to the plane; geometry is the centre and two conjugate semi-axes. */
+PSC_LANE void face_ellipse(const double position[3], const double *geometry,
+                           struct psc_ellipse_look *o)
 {
-    const double *const g1 = o->axes[0], *const g2 = o->axes[1];
-    struct psc_wide n[3], foot[2][3], nn, s, t, nc, square;
-    double high[3], rough[3], size, shrink, length, excess, area;
+    double high[3], size, length, height;
     int i, k;
 
-    PSC_UNROLL
     for (i = 0; i < 3; i++)
-        rough[i] = geometry[i] - position[i];
+        high[i] = geometry[i] - position[i];
     size = MAX(largest(geometry + 3), largest(geometry + 6));
-    o->scale = unit_scale(MAX(largest(rough), size));
-    o->unit = 1.0 / o->scale;
+    o->scale = unit_scale(MAX(largest(high), size));
+    o->unit = unit_inverse(o->scale);
     see_offset(position, geometry, o->scale, o->offset);
     PSC_UNROLL
     for (k = 0; k < 2; k++)
         PSC_UNROLL
         for (i = 0; i < 3; i++)
             o->axes[k][i] = geometry[3 + 3 * k + i] * o->scale;
-    /* the foot is (-foot[0].n, foot[1].n) over n.n in the unit disk */
-    exact_cross(g1, g2, n);
-    scaled_cross(g2, o->offset, foot[0]);
-    scaled_cross(g1, o->offset, foot[1]);
-    for (i = 0; i < 3; i++) {
-        rough[i] = o->offset[i].high;
-        high[i] = n[i].high;
-    }
-    /* so that the squares of squares are numbers */
-    shrink = unit_scale(largest(high));
+    exact_cross(o->axes[0], o->axes[1], o->n);
+    for (i = 0; i < 3; i++)
+        high[i] = o->n[i].high;
+    o->shrink = unit_scale(largest(high));
     PSC_UNROLL
-    for (i = 0; i < 3; i++) {
-        n[i] = wide_times(shrink, n[i]);
-        foot[0][i] = wide_times(shrink, foot[0][i]);
-        foot[1][i] = wide_times(shrink, foot[1][i]);
-    }
-    nn = wide_dot(n, n);
-    nc = wide_dot(n, o->offset);
-    s = wide_dot(foot[0], n);
-    t = wide_dot(foot[1], n);
-    square = wide_sum(wide_square(s), wide_square(t));
-    excess = wide_sum(square, wide_negative(wide_square(nn))).high / (nn.high * nn.high);
-    length = SQRT(nn.high);
-    area = length / shrink;
-    o->area = PSC_PI * area * o->unit * o->unit;
-    o->facing = COPYSIGN(1.0, nc.high);
+    for (i = 0; i < 3; i++)
+        o->n[i] = wide_times(o->shrink, o->n[i]);
+    o->nn = wide_dot(o->n, o->n);
+    height = wide_dot(o->n, o->offset).high;
+    length = SQRT(o->nn.high);
+    o->parallelogram = length * unit_inverse(o->shrink);
+    o->area = PSC_PI * o->parallelogram * o->unit * o->unit;
+    o->facing = COPYSIGN(1.0, height);
     length = 1.0 / length;
+    o->height = ABS(height) * length;
+    for (i = 0; i < 3; i++)
+        o->outward[i] = o->n[i].high * length;
+}
+
+/* For samples by area: the frame of struct psc_laid, and that. */
+PSC_LANE void lay_ellipse(const struct psc_ellipse_look *o, double frame[3][3], struct psc_laid *f)
+{
+    const double high[3] = {o->offset[0].high, o->offset[1].high, o->offset[2].high};
+    const double length = SQRT(dot(o->axes[0], o->axes[0])), per = 1.0 / length;
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        frame[0][i] = o->axes[0][i] * per;
+        frame[2][i] = o->facing * o->outward[i];
+    }
+    cross_rounded(frame[2], frame[0], frame[1]);
+    f->x = dot(high, frame[0]);
+    f->y = dot(high, frame[1]);
+    f->height = o->height;
+    f->a = length;
+    f->skew = dot(o->axes[1], frame[0]);
+    f->b = o->facing * o->parallelogram * per;
+    f->scale = PSC_PI * o->height * o->parallelogram;
+}
+
+/* The outline of what face_ellipse() left. If `many`, in a loop. */
+PSC_LANE void look_at_ellipse(int many, struct psc_ellipse_look *o)
+{
+    struct psc_wide foot[2][3], s, t, square;
+    double high[3], up[3], excess;
+    int i;
+
+    /* the foot is (-foot[0].n, foot[1].n) over n.n in the unit disk */
+    scaled_cross(o->axes[1], o->offset, foot[0]);
+    scaled_cross(o->axes[0], o->offset, foot[1]);
     PSC_UNROLL
     for (i = 0; i < 3; i++) {
-        o->outward[i] = n[i].high * length;
-        high[i] = o->facing * o->outward[i];
+        foot[0][i] = wide_times(o->shrink, foot[0][i]);
+        foot[1][i] = wide_times(o->shrink, foot[1][i]);
+        high[i] = o->offset[i].high;
+        up[i] = o->facing * o->outward[i];
     }
-    see_elliptical(g1, g2, high, area, o->facing, rough, ABS(nc.high) * length, &excess, many,
-                   &o->outline);
-    o->seen = ABS(nc.high) > 0.0 ? o->outline.seen.bt : 0.0;
+    s = wide_dot(foot[0], o->n);
+    t = wide_dot(foot[1], o->n);
+    square = wide_sum(wide_square(s), wide_square(t));
+    excess = wide_sum(square, wide_negative(wide_square(o->nn))).high / (o->nn.high * o->nn.high);
+    see_elliptical(o->axes[0], o->axes[1], up, o->parallelogram, o->facing, high, o->height,
+                   &excess, many, &o->outline);
+    o->seen = o->outline.seen.bt;
 }
 
 /* The i-th component of the k-th semi-axis that directions are projected along, see

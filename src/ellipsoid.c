@@ -13,8 +13,18 @@ psc_result psc_build_ellipsoid(psc_sampler *sampler, const psc_technique *techni
                           const double axis_u[3], const double axis_v[3], const double axis_w[3])
 {
     const double *const parts[] = {center, axis_u, axis_v, axis_w};
+    struct psc_request request;
+    double numbers[12];
 
-    return psc_build(sampler, &psc_shape_ellipsoid, geometry, technique, receiver, parts);
+    if (!center || !axis_u || !axis_v || !axis_w ||
+        !psc_disk_well(sampler, &psc_shape_ellipsoid, technique, receiver, &request))
+        return psc_build(sampler, &psc_shape_ellipsoid, geometry, technique, receiver, parts);
+    copy3(center, numbers);
+    copy3(axis_u, numbers + 3);
+    copy3(axis_v, numbers + 6);
+    copy3(axis_w, numbers + 9);
+    request.numbers = 12;
+    return psc_fill(sampler, &psc_shape_ellipsoid, &request, numbers, 12);
 }
 
 psc_result psc_ellipsoid_sample_n_f64(const psc_technique *technique, size_t count,

@@ -39,7 +39,7 @@ PSC_LANE void look_at_ellipsoid(const double position[3], const double *geometry
     size = MAX(largest(geometry + 3), largest(geometry + 6));
     size = MAX(size, largest(geometry + 9));
     o->scale = unit_scale(MAX(largest(rough), size));
-    o->unit = 1.0 / o->scale;
+    o->unit = unit_inverse(o->scale);
     see_offset(position, geometry, o->scale, o->offset);
     PSC_UNROLL
     for (k = 0; k < 3; k++)
