@@ -309,8 +309,7 @@ static void FN(polygon_side_block)(const psc_sampler *s, int side, size_t n, con
         return;
     }
     if (s->map == PSC_MAP_PARALLEL)
-        (s->measure == PSC_MEASURE_AREA ? FN(rectangle_area_block) : FN(rectangle_block))(s, n, u,
-                                                                                          v, r);
+        FN(parallel_block)(s, n, u, v, surface, r);
     else if (s->polygon.triangles == 1)
         block(s, 0, n, u, v, surface, r);
     else

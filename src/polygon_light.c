@@ -2,6 +2,7 @@
 #include "polygon_light.h"
 
 #include "fan_inverse.h"
+#include "rectangle_build.h"
 #include "sector_inverse.h"
 #include "triangle_build.h"
 
@@ -14,16 +15,21 @@
 
 psc_result psc_polygon_solid_angle_of(const psc_sampler *s, double *value)
 {
-    const struct psc_polygon_light *l = &s->polygon;
+    const struct psc_polygon_light *const l = &s->polygon;
 
-    if (s->sides > 0 && l->plain && s->measure == PSC_MEASURE_AREA)
-        return psc_triangle_solid_angle(l->position, l->corner[0], l->corner[1], l->corner[2],
-                                        value);
-    *value = s->sides == 0 ? 0.0 : s->polygon.solid_angle;
+    *value = s->sides == 0 ? 0.0 : l->solid_angle;
+    /* By area some are built without it. */
+    if (s->sides > 0 && l->plain && s->measure == PSC_MEASURE_AREA) {
+        if (s->map != PSC_MAP_PARALLEL)
+            return psc_triangle_solid_angle(l->position, l->corner[0], l->corner[1], l->corner[2],
+                                            value);
+        rectangle_half(l->position, l->corner[0], value);
+        *value *= 2.0;
+    }
     return *value > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
 }
 
-/* Of a triangle that was built without what this takes: of one that is built for it. */
+/* Of a light that was built without what this takes: of one that is built for it. */
 static psc_result plain_projected_solid_angle(const psc_sampler *s, double *value)
 {
     const struct psc_request request = {.measure = PSC_MEASURE_PROJECTED_SOLID_ANGLE,
@@ -37,7 +43,11 @@ static psc_result plain_projected_solid_angle(const psc_sampler *s, double *valu
     other.measure = request.measure;
     other.facing = request.facing;
     other.projected = 1;
-    triangle_build(&other, &request, s->polygon.corner[0]);
+    other.map = request.map;
+    if (s->map == PSC_MAP_PARALLEL)
+        rectangle_build(&other, &request, s->polygon.corner[0]);
+    else
+        triangle_build(&other, &request, s->polygon.corner[0]);
     *value = other.total;
     return *value > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
 }
@@ -182,10 +192,12 @@ double psc_polygon_pdf(const psc_sampler *s, const double direction[3], double e
     if (s->projected)
         return projected_pdf(s, direction, epsilon);
     if (s->map == PSC_MAP_PARALLEL) {
+        struct psc_rectangle own;
+        const struct psc_rectangle *const f = rectangle_of(l, &own);
         struct psc_rectangle_point p;
 
-        return rectangle_look(&l->rectangle, direction, 32.0 * epsilon, &p)
-                   ? rectangle_pdf(&l->rectangle, &p, s->measure == PSC_MEASURE_AREA, l->volume,
+        return rectangle_look(f, direction, 32.0 * epsilon, &p)
+                   ? rectangle_pdf(f, &p, s->measure == PSC_MEASURE_AREA, l->volume,
                                    s->inverse_total)
                    : 0.0;
     } else {
@@ -204,13 +216,14 @@ double psc_polygon_pdf(const psc_sampler *s, const double direction[3], double e
     return 2.0 * (t * t * t) / l->volume;
 }
 
-static void invert_rectangle(const psc_sampler *s, const struct psc_rectangle_point *p, double uv[2])
+static void invert_rectangle(const psc_sampler *s, const struct psc_rectangle *f,
+                             const struct psc_rectangle_point *p, double uv[2])
 {
     if (s->measure == PSC_MEASURE_AREA) {
         uv[0] = p->u;
         uv[1] = p->v;
     } else {
-        rectangle_invert(&s->polygon.rectangle, s->polygon.rectangle.x_a == 0.0, p, uv);
+        rectangle_invert(f, f->x_a == 0.0, p, uv);
     }
 }
 
@@ -243,11 +256,13 @@ psc_result psc_polygon_invert(const psc_sampler *s, const double direction[3], d
         if (!projected_invert(s, direction, epsilon, uv))
             return PSC_OUTSIDE;
     } else if (s->map == PSC_MAP_PARALLEL) {
+        struct psc_rectangle own;
+        const struct psc_rectangle *const f = rectangle_to_invert(s, &own);
         struct psc_rectangle_point p;
 
-        if (!rectangle_look(&l->rectangle, direction, 32.0 * epsilon, &p))
+        if (!rectangle_look(f, direction, 32.0 * epsilon, &p))
             return PSC_OUTSIDE;
-        invert_rectangle(s, &p, uv);
+        invert_rectangle(s, f, &p, uv);
     } else {
         struct psc_fan_f64 own;
         struct psc_spot_f64 p;

@@ -5,6 +5,7 @@
 
 #include "fan.h"
 #include "rectangle_map.h"
+#include "rectangle_plain_map.h"
 #include "sector_light.h"
 
 enum { PSC_MAX_FAN = PSC_MAX_VERTICES - 2 };
@@ -20,7 +21,8 @@ struct psc_polygon_light {
     double volume;                   /* area times twice the height of the receiver above the
                                         light's plane, in units of the view */
 
-    /* A triangle whose view, height and volume were not needed, and what they are made of. */
+    /* A triangle or rectangle whose view and heights were not needed, and what they are made of;
+       a rectangle's geometry is there in any case. */
     int plain;
     double position[3], corner[3][3];
     struct psc_plain_fan_f64 plain_fan;
@@ -37,7 +39,10 @@ struct psc_polygon_light {
             struct psc_fan_f64 fan[PSC_MAX_FAN];
             struct psc_face_f64 face[PSC_MAX_FAN];
             struct psc_flat flat[PSC_MAX_FAN];
-            struct psc_rectangle rectangle; /* for maps along the edges */
+            /* For maps along the edges: the first by area and where `plain` is not set. */
+            struct psc_rectangle rectangle;
+            struct psc_plain_rectangle plain_rectangle;
+            double edge_v[3]; /* at the right angle */
         };
     };
 };

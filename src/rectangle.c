@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Rectangles: a corner and two edges. */
+#include "build.h"
 #include "polygon_light.h"
 #include "rectangle_build.h"
 
@@ -14,8 +15,22 @@ psc_result psc_build_rectangle(psc_sampler *sampler, const psc_technique *techni
                                const double edge_u[3], const double edge_v[3])
 {
     const double *const parts[] = {corner, edge_u, edge_v};
+    struct psc_request request;
+    double (*kept)[3];
 
-    return psc_build(sampler, &psc_shape_rectangle, geometry, technique, receiver, parts);
+    /* Of all that may be wrong, the build itself looks at the numbers. */
+    if (!sampler || !corner || !edge_u || !edge_v ||
+        psc_check_technique(technique, &request) != PSC_SUCCESS ||
+        psc_check_struct(receiver, sizeof *receiver) != PSC_SUCCESS ||
+        psc_read_point(receiver->flags, receiver->position, receiver->normal, &request) !=
+            PSC_SUCCESS ||
+        psc_check_offer(&psc_shape_rectangle, &request) != PSC_SUCCESS)
+        return psc_build(sampler, &psc_shape_rectangle, geometry, technique, receiver, parts);
+    kept = sampler->polygon.corner;
+    copy3(corner, kept[0]);
+    copy3(edge_u, kept[1]);
+    copy3(edge_v, kept[2]);
+    return psc_fill_unchecked(sampler, &psc_shape_rectangle, &request, kept[0]);
 }
 
 psc_result psc_rectangle_sample_n_f64(const psc_technique *technique, size_t count,
@@ -48,11 +63,7 @@ psc_result psc_rectangle_solid_angle(const double position[3], const double corn
                                      const double edge_u[3], const double edge_v[3],
                                      double *solid_angle)
 {
-    struct psc_rectangle_words words;
-    struct psc_rectangle rectangle;
-    struct psc_triangle_view seen;
-    struct psc_polygon_view view;
-    double numbers[9];
+    double numbers[9], half;
     psc_result result;
 
     if (!position || !corner || !edge_u || !edge_v || !solid_angle)
@@ -63,11 +74,10 @@ psc_result psc_rectangle_solid_angle(const double position[3], const double corn
     if (!is_finite3(position) || !is_finite3(corner) || !is_finite3(edge_u) ||
         !is_finite3(edge_v))
         return PSC_ERROR_NOT_FINITE;
-    result = see_rectangle(position, numbers, &view, &words);
+    result = rectangle_half(position, numbers, &half);
     if (result != PSC_SUCCESS)
         return result;
-    rectangle_see(&words, &rectangle, &seen);
-    *solid_angle = 2.0 * rectangle.half;
+    *solid_angle = 2.0 * half;
     return *solid_angle > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
 }
 

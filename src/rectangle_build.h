@@ -3,188 +3,9 @@
 #ifndef PSC_SRC_RECTANGLE_BUILD_H
 #define PSC_SRC_RECTANGLE_BUILD_H
 
-#include "polygon_build.h"
-
-/* The edges of a rectangle may be off the right angle by this much, as a cosine. */
-#define PSC_RECTANGLE_TOLERANCE 1e-6
-
-/* Corner, edges and diagonal in units of the view, whose vertices are corner, corner + u, corner +
-   u + v, corner + v. */
-struct psc_rectangle_words {
-    struct psc_word2 corner, u, v, diagonal;
-};
-
-PSC_LANE void add_words(const struct psc_word2 *a, const struct psc_word2 *b, struct psc_word2 *to)
-{
-    double low;
-    int c;
-
-    for (c = 0; c < 3; c++) {
-        two_sum(a->high[c], b->high[c], &to->high[c], &low);
-        low += a->low[c] + b->low[c];
-        two_sum(to->high[c], low, &to->high[c], &to->low[c]);
-    }
-}
-
-PSC_LANE void scale_words(struct psc_word2 *w, double scale)
-{
-    int c;
-
-    for (c = 0; c < 3; c++) {
-        w->high[c] *= scale;
-        w->low[c] *= scale;
-    }
-}
-
-/* What edge_v has across edge_u, in two words: rounding leaves edges of no caller exactly
-   perpendicular, and maps and totals that take a needle for different shapes differ by more than
-   rounding. Whether they are to within the tolerance. */
-PSC_LANE int straighten(const double u[3], const double v[3], struct psc_word2 *to)
-{
-    const double scale_u = unit_scale(largest(u)), scale_v = unit_scale(largest(v));
-    double uu = 0.0, vv = 0.0, uv = 0.0, error = 0.0, shear, p, low;
-    int c;
-
-    for (c = 0; c < 3; c++) {
-        const double a = u[c] * scale_u, b = v[c] * scale_v;
-
-        uu += a * a;
-        vv += b * b;
-        add_product(a, b, &uv, &error);
-    }
-    uv += error;
-    shear = uu > 0.0 ? uv / uu : 0.0;
-    for (c = 0; c < 3; c++) {
-        two_product(-shear, u[c] * scale_u, &p, &low);
-        two_sum(v[c] * scale_v, p, &to->high[c], &p);
-        to->low[c] = p + low;
-    }
-    scale_words(to, 1.0 / scale_v);
-    return ABS(uv) <= PSC_RECTANGLE_TOLERANCE * SQRT(uu * vv);
-}
-
-/* g: corner, edge_u and edge_v. Whether the angle is a right one; *size: of the largest
-   coordinate, which may be none. */
-PSC_LANE int rectangle_words(const double position[3], const double *g,
-                             struct psc_polygon_view *view, struct psc_rectangle_words *o,
-                             double *size)
-{
-    struct psc_word2 vertex[4];
-    int i, c, square;
-
-    for (c = 0; c < 3; c++) {
-        two_sum(g[c], -position[c], &vertex[0].high[c], &vertex[0].low[c]);
-        o->u.high[c] = g[3 + c];
-        o->u.low[c] = 0.0;
-    }
-    square = straighten(g + 3, g + 6, &o->v);
-    add_words(&o->u, &o->v, &o->diagonal);
-    add_words(&vertex[0], &o->u, &vertex[1]);
-    add_words(&vertex[0], &o->diagonal, &vertex[2]);
-    add_words(&vertex[0], &o->v, &vertex[3]);
-    *size = 0.0;
-    for (i = 0; i < 4; i++)
-        *size = MAX(*size, largest(vertex[i].high));
-    view->count = 4;
-    view->scale = unit_scale(*size);
-    for (i = 0; i < 4; i++) {
-        scale_words(&vertex[i], view->scale);
-        for (c = 0; c < 3; c++) {
-            view->vertex[i][c] = vertex[i].high[c];
-            view->low[i][c] = vertex[i].low[c];
-        }
-    }
-    o->corner = vertex[0];
-    scale_words(&o->u, view->scale);
-    scale_words(&o->v, view->scale);
-    scale_words(&o->diagonal, view->scale);
-    return square;
-}
-
-PSC_LANE psc_result see_rectangle(const double position[3], const double *g,
-                                  struct psc_polygon_view *view, struct psc_rectangle_words *o)
-{
-    double size;
-
-    return !rectangle_words(position, g, view, o, &size) ? PSC_ERROR_NOT_RECTANGLE
-           : !is_finite(size)                            ? PSC_ERROR_NOT_FINITE
-                                                         : PSC_SUCCESS;
-}
-
-/* g(x) - 1. */
-PSC_LANE double rectangle_excess(const struct psc_rectangle *f, double x)
-{
-    return rectangle_step(0.0, x, f->p0, f->p1);
-}
-
-/* Adds the product of v and w to the unevaluated sum *high + *low. */
-PSC_LANE void add_dot(const struct psc_word2 *v, const struct psc_word2 *w, double *high,
-                      double *low)
-{
-    int c;
-
-    for (c = 0; c < 3; c++)
-        add_product(v->high[c], w->high[c], high, low);
-    *low += dot(v->low, w->high) + dot(v->high, w->low);
-}
-
-/* What the receiver sees, in the local frame; half is 0 when it is nothing. */
-PSC_LANE void rectangle_see(const struct psc_rectangle_words *o, struct psc_rectangle *f,
-                            struct psc_triangle_view *seen)
-{
-    double along = 0.0, along_low = 0.0, across = 0.0, across_low = 0.0;
-    double x1, cosine, more, e0, e1, away, t_a, beside, plain, first, above;
-    int c, around, shown;
-
-    see_volume(&o->corner, &o->u, &o->v, seen);
-    f->width = SQRT(dot(o->u.high, o->u.high));
-    f->height = seen->twice_area / f->width;
-    add_dot(&o->corner, &o->u, &along, &along_low);
-    add_dot(&o->corner, &o->v, &across, &across_low);
-    f->x0 = (along + along_low) / f->width;
-    f->y0 = (across + across_low) / f->height;
-    add_dot(&o->u, &o->u, &along, &along_low);
-    add_dot(&o->v, &o->v, &across, &across_low);
-    x1 = f->x1 = (along + along_low) / f->width;
-    f->y1 = (across + across_low) / f->height;
-    for (c = 0; c < 3; c++)
-        f->x[c] = o->u.high[c] / f->width;
-    f->z = ABS(seen->volume) / seen->twice_area;
-    for (c = 0; c < 3; c++)
-        f->up[c] = COPYSIGN(1.0, seen->volume) * seen->normal[c] / seen->twice_area;
-    cross_rounded(seen->normal, f->x, f->y);
-    for (c = 0; c < 3; c++)
-        f->y[c] /= seen->twice_area;
-
-    f->p0 = SQRT(f->y0 * f->y0 + f->z * f->z);
-    f->p1 = SQRT(f->y1 * f->y1 + f->z * f->z);
-    f->sine = f->z * f->height / (f->p0 * f->p1);
-    cosine = (f->y0 * f->y1 + f->z * f->z) / (f->p0 * f->p1);
-    more = one_plus(cosine, f->sine * f->sine);
-    e0 = rectangle_excess(f, f->x0);
-    e1 = rectangle_excess(f, x1);
-    /* Choices of numbers, not of ways: loops over elements are vector code. */
-    around = (f->x0 < 0.0) & (x1 > 0.0);
-    f->x_a = around ? 0.0 : f->x0;
-    away = rectangle_step(f->x_a, around ? -f->x0 : f->width, f->p0, f->p1);
-    t_a = rectangle_t(f->x0, SQRT(f->x0 * f->x0 + f->p0 * f->p0), f->p0);
-    f->t_a = around ? 1.0 : t_a;
-    f->g_a = around ? 1.0 : 1.0 + e0;
-    f->k1 = around ? 2.0 * more : e0 * e0 + 2.0 * f->g_a * more;
-    beside = cosine < 0.0 ? e0 + more : f->g_a + cosine;
-    f->k2 = around ? more : beside;
-    f->most[0] = around ? e1 : away;
-    f->most[1] = around ? away : 0.0;
-    plain = 1.0 + f->g_a * (1.0 + e1) + (f->g_a + (1.0 + e1)) * cosine;
-    beside = cosine < 0.0 ? e0 * e1 + (2.0 + e0 + e1) * more : plain;
-    first = angle_of(around ? (2.0 + away) * more : beside, away * f->sine);
-    above = angle_of(around ? (2.0 + e1) * more : 1.0, around ? e1 * f->sine : 0.0);
-    f->half_below = around ? first : 0.0;
-    f->half = first + above;
-    /* In the plane, or without a size, where the quotients are no numbers. */
-    shown = (seen->volume != 0.0) & (f->half > 0.0) & (f->half <= PSC_PI);
-    f->half = shown ? f->half : 0.0;
-}
+#include "checks.h"
+#include "rectangle_plain.h"
+#include "rectangle_view.h"
 
 /* The two triangles of the radial maps; what they add up to is as much as the whole. */
 static inline void rectangle_fan(psc_sampler *s, const struct psc_rectangle_words *o,
@@ -216,8 +37,43 @@ static inline void rectangle_fan(psc_sampler *s, const struct psc_rectangle_word
     sums->volume = l->triangles > 0 ? sums->volume : 0.0;
 }
 
-PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *request,
-                                    const double *g)
+/* The geometry, for points in world space and for questions. */
+PSC_LANE void keep_rectangle(struct psc_polygon_light *l, const double *g, const double edge_v[3])
+{
+    copy3(edge_v, l->edge_v);
+    if (g == l->corner[0])
+        return;
+    copy3(g, l->corner[0]);
+    copy3(g + 3, l->corner[1]);
+    copy3(g + 6, l->corner[2]);
+}
+
+/* Half the solid angle: the plain one where it is as good. */
+static inline psc_result rectangle_half(const double position[3], const double *g, double *half)
+{
+    struct psc_plain_rectangle plain;
+    struct psc_rectangle_sight sight;
+    struct psc_rectangle_words words;
+    struct psc_rectangle exact;
+    struct psc_triangle_view seen;
+    struct psc_polygon_view view;
+    psc_result result;
+
+    if (see_plain_rectangle(position, g, &sight)) {
+        plain_rectangle(g, &sight, &plain);
+        *half = plain.half;
+        return PSC_SUCCESS;
+    }
+    result = see_rectangle(position, g, &view, &words);
+    if (result == PSC_SUCCESS) {
+        rectangle_see(&words, &exact, &seen);
+        *half = exact.half;
+    }
+    return result;
+}
+
+static psc_result exact_rectangle_build(psc_sampler *s, const struct psc_request *request,
+                                        const double *g)
 {
     struct psc_polygon_light *l = &s->polygon;
     struct psc_fan_sums sums = NO_SUMS;
@@ -225,10 +81,13 @@ PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *re
     struct psc_rectangle *const f = &l->rectangle;
     struct psc_triangle_view seen;
     struct psc_rectangle_words o;
-    psc_result result;
+    psc_result result = psc_check_numbers(request);
     int c;
 
-    result = see_rectangle(request->position, g, &l->view, &o);
+    if (result == PSC_SUCCESS && !(is_finite3(g) && is_finite3(g + 3) && is_finite3(g + 6)))
+        result = PSC_ERROR_NOT_FINITE;
+    if (result == PSC_SUCCESS)
+        result = see_rectangle(request->position, g, &l->view, &o);
     if (result != PSC_SUCCESS)
         return result;
     s->visibility = see_horizon(request->normal, &l->view, l->receiver, l->up, l->height);
@@ -244,17 +103,98 @@ PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *re
     f->start = o.corner;
     f->along = o.u;
     f->across = o.v;
-    for (c = 0; c < 3; c++) {
+    for (c = 0; c < 3; c++)
         sums.normal[c] = -2.0 * seen.normal[c];
-        f->corner[c] = g[c];
-        f->edge_u[c] = g[3 + c];
-        f->edge_v[c] = places.offset[3][c];
-    }
     sums.volume = f->half > 0.0 ? -2.0 * seen.volume : 0.0;
     sums.half = f->half;
+    if (s->map == PSC_MAP_RADIAL && f->half > 0.0)
+        rectangle_half(request->position, g, &sums.half);
     if (s->map == PSC_MAP_RADIAL && !s->projected)
         rectangle_fan(s, &o, g, &sums);
+    keep_rectangle(l, g, places.offset[3]);
     return polygon_finish(s, request, &sums, 1.0, &places);
+}
+
+/* Where a rectangle lies to a plane that rounding may have put a corner on either side of. */
+static int see_exact_rectangle_horizon(const struct psc_request *request, const double *g)
+{
+    struct psc_rectangle_words words;
+    struct psc_polygon_view view;
+    double normal[3], up[3], height[PSC_MAX_VERTICES];
+
+    see_rectangle(request->position, g, &view, &words);
+    return (int)see_horizon(request->normal, &view, normal, up, height);
+}
+
+/* The geometry may be where the light keeps it. */
+PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *request,
+                                    const double *g)
+{
+    const int area = s->measure == PSC_MEASURE_AREA;
+    struct psc_polygon_light *l = &s->polygon;
+    struct psc_rectangle_sight o;
+    int seen = PSC_CASE_NO_HORIZON;
+
+    if (s->map != PSC_MAP_PARALLEL || !see_plain_rectangle(request->position, g, &o))
+        return exact_rectangle_build(s, request, g);
+    l->up[0] = l->up[1] = l->up[2] = 0.0;
+    if (request->normal) {
+        const double square = dot(request->normal, request->normal);
+
+        if (!is_plain_normal(square))
+            return exact_rectangle_build(s, request, g);
+        seen = (int)see_rectangle_horizon(g, &o, request->normal, square);
+        if (seen < 0)
+            seen = see_exact_rectangle_horizon(request, g);
+        copy3(request->normal, l->receiver);
+        scale3(1.0 / SQRT(square), request->normal, l->up);
+    }
+    s->visibility = (psc_case)seen;
+    if ((request->one_sided && o.volume > 0.0) ||
+        (seen == PSC_CASE_EMPTY && s->facing == PSC_FACING_ONE))
+        return PSC_EMPTY;
+
+    if (area) {
+        plain_words(request->position, g, &o, &l->rectangle);
+        s->total = o.area;
+    } else {
+        plain_rectangle(g, &o, &l->plain_rectangle);
+        s->total = l->solid_angle = 2.0 * l->plain_rectangle.half;
+    }
+    scale3(1.0 / o.area, o.normal, l->normal);
+    l->area = o.area;
+    l->volume = 2.0 * ABS(o.volume);
+    l->unit = 1.0;
+    l->plain = 1;
+    copy3(request->position, l->position);
+    keep_rectangle(l, g, o.edge_v);
+    s->sides = 1;
+    s->split = 1.0;
+    return PSC_SUCCESS;
+}
+
+/* The rectangle in its local frame; `own` is for one that was built without. */
+PSC_LANE const struct psc_rectangle *rectangle_of(const struct psc_polygon_light *l,
+                                                  struct psc_rectangle *own)
+{
+    struct psc_rectangle_sight o;
+
+    if (!l->plain)
+        return &l->rectangle;
+    see_plain_rectangle(l->position, l->corner[0], &o);
+    plain_frame(l->corner[0], &o, own);
+    return own;
+}
+
+/* The same with what inverses by solid angle take. */
+PSC_LANE const struct psc_rectangle *rectangle_to_invert(const psc_sampler *s,
+                                                         struct psc_rectangle *own)
+{
+    const struct psc_rectangle *const f = rectangle_of(&s->polygon, own);
+
+    if (f == own && s->measure == PSC_MEASURE_SOLID_ANGLE)
+        rectangle_constants(own);
+    return f;
 }
 
 #endif

@@ -5,14 +5,14 @@
 #ifndef PSC_SRC_RECTANGLE_DIRECTIONS_H
 #define PSC_SRC_RECTANGLE_DIRECTIONS_H
 
-#include "sampler.h"
+#include "rectangle_build.h"
 
 #define PDF_LOOP(name, area)                                                                   \
-    static void name(const struct psc_polygon_light *from, double inverse_total,               \
+    static void name(const struct psc_rectangle *from, double volume, double inverse_total,    \
                      struct psc_directions *restrict d)                                        \
     {                                                                                          \
-        const double slack = 32.0 * d->epsilon, volume = from->volume;                         \
-        const struct psc_rectangle f = from->rectangle;                                        \
+        const double slack = 32.0 * d->epsilon;                                                \
+        const struct psc_rectangle f = *from;                                                  \
         const size_t n = d->count;                                                             \
         size_t i;                                                                              \
                                                                                                \
@@ -32,10 +32,10 @@ PDF_LOOP(pdf_rectangle_area, 1)
 #undef PDF_LOOP
 
 #define INVERT_LOOP(name, area, around)                                                        \
-    static void name(const struct psc_polygon_light *from, struct psc_directions *restrict d,  \
+    static void name(const struct psc_rectangle *from, struct psc_directions *restrict d,      \
                      double *restrict within, double *restrict ahead)                          \
     {                                                                                          \
-        const struct psc_rectangle f = from->rectangle;                                        \
+        const struct psc_rectangle f = *from;                                                  \
         const size_t n = d->count;                                                             \
         size_t i;                                                                              \
                                                                                                \
@@ -61,11 +61,12 @@ INVERT_LOOP(invert_rectangle_area, 1, 0)
 static void rectangle_pdfs(const psc_sampler *s, struct psc_directions *d)
 {
     double direction[3];
+    struct psc_rectangle own;
     size_t i;
 
     if (s->map == PSC_MAP_PARALLEL) {
         (s->measure == PSC_MEASURE_AREA ? pdf_rectangle_area : pdf_rectangle)(
-            &s->polygon, s->inverse_total, d);
+            rectangle_of(&s->polygon, &own), s->polygon.volume, s->inverse_total, d);
         return;
     }
     for (i = 0; i < d->count; i++) {
@@ -78,14 +79,16 @@ static void rectangle_inverses(const psc_sampler *s, struct psc_directions *d)
 {
     double within[PSC_BLOCK], ahead[PSC_BLOCK], direction[3], uv[2];
     const double slack = 32.0 * d->epsilon;
+    struct psc_rectangle own;
     size_t i;
     int c;
 
     if (s->map == PSC_MAP_PARALLEL) {
-        (s->measure == PSC_MEASURE_AREA         ? invert_rectangle_area
-         : s->polygon.rectangle.x_a == 0.0 ? invert_rectangle_around
-                                           : invert_rectangle_beside)(&s->polygon, d, within,
-                                                                      ahead);
+        const struct psc_rectangle *const f = rectangle_to_invert(s, &own);
+
+        (s->measure == PSC_MEASURE_AREA ? invert_rectangle_area
+         : f->x_a == 0.0                ? invert_rectangle_around
+                                        : invert_rectangle_beside)(f, d, within, ahead);
         for (c = 0; c < 2; c++)
             for (i = 0; i < d->count; i++)
                 d->uv[c][i] = MIN(MAX(d->uv[c][i], 0.0), 1.0);

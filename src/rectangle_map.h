@@ -26,7 +26,6 @@ struct psc_rectangle {
     double p0, p1, x0, x1, y0, y1, z, width, height;
     double x[3], y[3], up[3];             /* the local frame */
     struct psc_word2 start, along, across; /* corner and edges in the view */
-    double corner[3], edge_u[3], edge_v[3]; /* and in world space */
 };
 
 /* A sampled point: local x and y, and the fractions of the edges. */
@@ -70,6 +69,13 @@ PSC_LANE void elevation_gaps(double d2, double y, double r, double *minus, doubl
 
     *minus = h > 0.0 ? small : 1.0 - h;
     *plus = h > 0.0 ? 1.0 + h : small;
+}
+
+/* Of the edges along x, from the receiver. */
+PSC_LANE void rectangle_planes(struct psc_rectangle *f)
+{
+    f->p0 = SQRT(f->y0 * f->y0 + f->z * f->z);
+    f->p1 = SQRT(f->y1 * f->y1 + f->z * f->z);
 }
 
 PSC_LANE void rectangle_map(const struct psc_rectangle *f, double u, double v,
