@@ -19,6 +19,14 @@
 #define PSC_LANE static inline
 #endif
 
+/* A function whose loop is to stay apart from the loop around its call: gcc 12 tries to make that
+   one vector code, too, and goes on with shorter vectors. */
+#if defined(__GNUC__)
+#define PSC_APART static __attribute__((noinline))
+#else
+#define PSC_APART static
+#endif
+
 /* Before a short loop of constant length inside a loop that is to vectorise. */
 #if defined(__clang__)
 #define PSC_UNROLL _Pragma("unroll")

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Convex polygons: a fan about the first vertex. */
+#include "build.h"
 #include "polygon_build.h"
 #include "polygon_light.h"
 
@@ -34,9 +35,10 @@ static void vertex_parts(const double *vertices, ptrdiff_t stride, size_t count,
         parts[i] = vertices ? vertex_at(vertices, stride, i) : NULL;
 }
 
-psc_result psc_build_polygon(psc_sampler *sampler, const psc_technique *technique,
-                             const psc_receiver *receiver, size_t count, const double *vertices,
-                             ptrdiff_t stride)
+/* With what may be wrong looked for in the order of all builds. */
+static psc_result build_checked(psc_sampler *sampler, const psc_technique *technique,
+                                const psc_receiver *receiver, size_t count, const double *vertices,
+                                ptrdiff_t stride)
 {
     const double *parts[PSC_MAX_VERTICES];
 
@@ -48,6 +50,30 @@ psc_result psc_build_polygon(psc_sampler *sampler, const psc_technique *techniqu
     }
     vertex_parts(vertices, stride, count, parts);
     return psc_build(sampler, &psc_shape_polygon, geometry_of(count), technique, receiver, parts);
+}
+
+psc_result psc_build_polygon(psc_sampler *sampler, const psc_technique *technique,
+                             const psc_receiver *receiver, size_t count, const double *vertices,
+                             ptrdiff_t stride)
+{
+    double numbers[3 * PSC_MAX_VERTICES];
+    struct psc_request request;
+    size_t i;
+
+    /* Of all that may be wrong, the build itself looks at the numbers. */
+    if (!sampler || !vertices || !is_vertex_count(count) ||
+        psc_check_technique(technique, &request) != PSC_SUCCESS ||
+        psc_check_struct(receiver, sizeof *receiver) != PSC_SUCCESS ||
+        psc_read_point(receiver->flags, receiver->position, receiver->normal, &request) !=
+            PSC_SUCCESS ||
+        psc_check_offer(&psc_shape_polygon, &request) != PSC_SUCCESS)
+        return build_checked(sampler, technique, receiver, count, vertices, stride);
+    request.numbers = 3 * (int)count;
+    if (stride == (ptrdiff_t)(3 * sizeof *vertices))
+        return psc_fill_unchecked(sampler, &psc_shape_polygon, &request, vertices);
+    for (i = 0; i < count; i++)
+        copy3(vertex_at(vertices, stride, i), numbers + 3 * i);
+    return psc_fill_unchecked(sampler, &psc_shape_polygon, &request, numbers);
 }
 
 psc_result psc_polygon_sample_n_f64(const psc_technique *technique, size_t count,
@@ -85,36 +111,18 @@ psc_result psc_polygon_sample_n_f32(const psc_technique *technique, size_t count
 psc_result psc_polygon_solid_angle(const double position[3], size_t count, const double *vertices,
                                    ptrdiff_t stride, double *solid_angle)
 {
-    double numbers[3 * PSC_MAX_VERTICES], half = 0.0;
-    struct psc_polygon_view view;
+    const psc_technique technique = {sizeof technique, PSC_MEASURE_SOLID_ANGLE, PSC_MAP_RADIAL, 0,
+                                     NULL};
+    const psc_receiver receiver = {sizeof receiver, 0, position, NULL};
+    psc_sampler sampler;
     psc_result result;
-    int i, n;
 
     if (!position || !vertices || !solid_angle)
         return PSC_ERROR_NULL_POINTER;
-    if (!is_vertex_count(count))
-        return PSC_ERROR_VERTEX_COUNT;
-    n = (int)count;
-    for (i = 0; i < n; i++) {
-        memcpy(numbers + 3 * i, vertex_at(vertices, stride, (size_t)i), 3 * sizeof *numbers);
-        if (!is_finite3(numbers + 3 * i))
-            return PSC_ERROR_NOT_FINITE;
-    }
-    if (!is_finite3(position) || !see_polygon(position, n, numbers, &view))
-        return PSC_ERROR_NOT_FINITE;
-    result = check_polygon(&view, numbers);
-    if (result != PSC_SUCCESS)
-        return result;
-    for (i = 1; i + 1 < n; i++) {
-        struct psc_triangle_words words;
-        struct psc_triangle_view seen;
-
-        triangle_words(&view, numbers, i, 0, i + 1, &words);
-        see_triangle(&words, &seen);
-        half += seen.half;
-    }
-    *solid_angle = 2.0 * half;
-    return *solid_angle > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
+    result = psc_build_polygon(&sampler, &technique, &receiver, count, vertices, stride);
+    if (result >= 0)
+        *solid_angle = sampler.total;
+    return result;
 }
 
 psc_result psc_polygon_form_factor(const psc_receiver *receiver, size_t count,

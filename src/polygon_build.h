@@ -4,6 +4,7 @@
 #define PSC_SRC_POLYGON_BUILD_H
 
 #include "fan_build.h"
+#include "polygon_lanes.h"
 #include "projection.h"
 #include "sampler.h"
 
@@ -198,22 +199,21 @@ PSC_LANE psc_result polygon_finish(psc_sampler *s, const struct psc_request *req
 
 /* ---- Polygons ---- */
 
-/* How far vertices may be off one plane, in units of the polygon's extent, and how far edges may
-   turn back, as a sine. */
-#define PSC_POLYGON_TOLERANCE 1e-6
-
 /* One plane, and convex: no corner turns back, and the fan about the first vertex neither, nor
    past half a turn. Twice the area is 0 without an error. */
 PSC_LANE psc_result check_polygon(const struct psc_polygon_view *view, const double *vertices)
 {
     double spoke[PSC_MAX_VERTICES][3], low[3], normal[3] = {0.0, 0.0, 0.0}, across[3], extent = 0.0;
+    double size = largest(vertices);
     const int count = view->count;
     int i, c;
 
     for (i = 1; i < count; i++) {
         edge_of(vertices, vertices + 3 * i, view->scale, spoke[i], low);
         extent = MAX(extent, largest(spoke[i]));
+        size = MAX(size, largest(vertices + 3 * i));
     }
+    extent += size * view->scale;
     for (i = 1; i + 1 < count; i++) {
         cross(spoke[i], spoke[i + 1], across);
         for (c = 0; c < 3; c++)
@@ -273,7 +273,7 @@ PSC_LANE void surface_places(const double first[3], const double second[3], cons
 }
 
 /* A fan about the first vertex, seen from its front where volumes are positive. */
-PSC_LANE psc_result polygon_build(psc_sampler *s, const struct psc_request *request,
+PSC_APART psc_result exact_polygon_build(psc_sampler *s, const struct psc_request *request,
                                   const double *vertices)
 {
     struct psc_polygon_light *l = &s->polygon;
@@ -300,7 +300,7 @@ PSC_LANE psc_result polygon_build(psc_sampler *s, const struct psc_request *requ
     for (i = 2; i + 1 < count; i++)
         surface_places(spoke[1], spoke[count - 1], spoke[i], place[i], place[i] + 1);
     l->triangles = 0;
-    l->plain = 0;
+    l->plain = PSC_NOT_PLAIN;
     for (i = 1; i + 1 < count; i++) {
         const struct psc_fan_places at = {
             vertices, place[i][0], place[i][1], 0.0, 0.0, place[i + 1][0], place[i + 1][1]};

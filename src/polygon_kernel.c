@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* The kernels of flat lights with straight edges. */
+#include "fan_plain.h"
 #include "flat_map.h"
 #include "kernel_tmpl.h"
 #include "rectangle_build.h"
@@ -23,6 +24,7 @@
 #include "sector_map_tmpl.h"
 #include "rectangle_kernel_tmpl.h"
 #include "polygon_kernel_tmpl.h"
+#include "pending_tmpl.h"
 #include "triangle_wave_tmpl.h"
 #include "rectangle_wave_tmpl.h"
 

@@ -64,6 +64,8 @@ PSC_LANE int FN(pick_triangle)(const struct psc_polygon_light *l, real u, real *
     return k;
 }
 
+#include "fan_kernel_tmpl.h"
+
 /* A point of the area map but for its weight. */
 PSC_LANE void FN(round_flat)(const struct psc_flat_point *p, real share[3], real direction[3],
                              real *distance, real *pdf)
@@ -123,6 +125,8 @@ static psc_result FN(polygon_sample)(const psc_sampler *s, real u, real v,
         return FN(sector_sample)(s, u, v, out);
     if (s->map == PSC_MAP_PARALLEL)
         return FN(rectangle_sample)(s, u, v, out);
+    if (l->plain == PSC_PLAIN_FAN)
+        return FN(ray_sample)(s, u, v, out);
     k = FN(pick_triangle)(l, u, &u);
     FN(polygon_world)(s, &w);
     if (s->measure == PSC_MEASURE_AREA) {
@@ -300,8 +304,9 @@ static void FN(polygon_side_block)(const psc_sampler *s, int side, size_t n, con
 {
     const FN(triangle_block) block =
         s->measure == PSC_MEASURE_AREA ? FN(flat_block)
-        : s->polygon.plain             ? FN(plain_block)
-                                       : FN(fan_block);
+        : s->polygon.plain == PSC_PLAIN_FAN ? FN(ray_block)
+        : s->polygon.plain                  ? FN(plain_block)
+                                            : FN(fan_block);
     size_t i;
 
     if (s->projected) {

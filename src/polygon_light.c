@@ -20,7 +20,7 @@ psc_result psc_polygon_solid_angle_of(const psc_sampler *s, double *value)
     *value = s->sides == 0 ? 0.0 : l->solid_angle;
     /* By area some are built without it. */
     if (s->sides > 0 && l->plain && s->measure == PSC_MEASURE_AREA) {
-        if (s->map != PSC_MAP_PARALLEL)
+        if (l->plain == PSC_PLAIN_TRIANGLE)
             return psc_triangle_solid_angle(l->position, l->corner[0], l->corner[1], l->corner[2],
                                             value);
         rectangle_half(l->position, l->corner[0], value);
@@ -32,22 +32,27 @@ psc_result psc_polygon_solid_angle_of(const psc_sampler *s, double *value)
 /* Of a light that was built without what this takes: of one that is built for it. */
 static psc_result plain_projected_solid_angle(const psc_sampler *s, double *value)
 {
+    const struct psc_polygon_light *const l = &s->polygon;
     const struct psc_request request = {.measure = PSC_MEASURE_PROJECTED_SOLID_ANGLE,
                                         .map = PSC_MAP_RADIAL,
                                         .facing = s->facing,
-                                        .position = s->polygon.position,
-                                        .normal = s->polygon.receiver};
+                                        .position = l->position,
+                                        .normal = l->receiver,
+                                        .numbers = l->plain == PSC_PLAIN_FAN ? 3 * l->view.count
+                                                                             : 9};
+    double numbers[3 * PSC_MAX_VERTICES];
     psc_sampler other;
+    int i;
 
     psc_clear(&other);
     other.measure = request.measure;
     other.facing = request.facing;
     other.projected = 1;
     other.map = request.map;
-    if (s->map == PSC_MAP_PARALLEL)
-        rectangle_build(&other, &request, s->polygon.corner[0]);
-    else
-        triangle_build(&other, &request, s->polygon.corner[0]);
+    for (i = 0; i < request.numbers; i++)
+        numbers[i] = l->plain == PSC_PLAIN_FAN ? l->fans.vertex[i % 3][i / 3]
+                                               : l->corner[i / 3][i % 3];
+    s->f64->build(&other, &request, numbers);
     *value = other.total;
     return *value > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
 }
@@ -109,40 +114,54 @@ static void fan_of_corners(const struct psc_polygon_light *l, struct psc_fan_f64
     f->per_c *= unit;
 }
 
-/* The triangle of the fan that holds the direction, its number, and the direction in its frame;
-   NULL outside. own: where it is put if it is not kept in this form. */
-static const struct psc_fan_f64 *find_triangle(const psc_sampler *s, const double direction[3],
-                                               double epsilon, struct psc_fan_f64 *own, int *number,
-                                               struct psc_spot_f64 *p)
+/* Triangle k of the fan. own: where it is put if it is not kept in this form. */
+static const struct psc_fan_f64 *fan_at(const psc_sampler *s, int k, struct psc_fan_f64 *own)
 {
     const struct psc_polygon_light *l = &s->polygon;
-    const struct psc_fan_f64 *fan = l->fan, *found = NULL;
-    const double slack = 32.0 * epsilon;
-    double best = 0.0;
-    int i;
+    struct psc_ray_fan_f64 rays;
 
-    if (l->plain) {
-        fan = own;
+    switch (l->plain) {
+    case PSC_PLAIN_TRIANGLE:
         if (s->measure == PSC_MEASURE_AREA)
             fan_of_corners(l, own);
         else
             fan_of_plain(&l->plain_fan, own);
+        return own;
+    case PSC_PLAIN_FAN:
+        load_ray_fan(&l->fans, k, &rays);
+        fan_of_rays(&rays, l->fans.b, own);
+        return own;
+    default:
+        return l->fan + k;
     }
-    for (i = 0; i < l->triangles; i++, fan++) {
+}
+
+/* The number of the triangle of the fan that holds the direction, itself, and the direction in its
+   frame; -1 outside. */
+static int find_triangle(const psc_sampler *s, const double direction[3], double epsilon,
+                         struct psc_fan_f64 *fan, struct psc_spot_f64 *p)
+{
+    const double slack = 32.0 * epsilon;
+    int i, found = -1;
+    double best = 0.0;
+
+    for (i = 0; i < s->polygon.triangles; i++) {
+        struct psc_fan_f64 own;
+        const struct psc_fan_f64 *const f = fan_at(s, i, &own);
         struct psc_fan_edges e;
         struct psc_spot_f64 q;
         double inside;
 
-        fan_look(fan, direction, &q);
-        if (!fan_holds(fan, &q, slack))
+        fan_look(f, direction, &q);
+        if (!fan_holds(f, &q, slack))
             continue;
         /* Between two triangles both may claim it. */
-        fan_edges(fan, &e);
+        fan_edges(f, &e);
         inside = MIN(q.c, spot_dot(&q, &e.bc));
-        if (!found || inside > best) {
-            found = fan;
-            *number = i;
+        if (found < 0 || inside > best) {
+            found = i;
             best = inside;
+            *fan = *f;
             *p = q;
         }
     }
@@ -201,17 +220,15 @@ double psc_polygon_pdf(const psc_sampler *s, const double direction[3], double e
                                    s->inverse_total)
                    : 0.0;
     } else {
-        struct psc_fan_f64 own;
+        struct psc_fan_f64 fan;
         struct psc_spot_f64 p;
-        int k;
-        const struct psc_fan_f64 *const fan = find_triangle(s, direction, epsilon, &own, &k, &p);
         double a, b, c;
 
-        if (!fan)
+        if (find_triangle(s, direction, epsilon, &fan, &p) < 0)
             return 0.0;
         if (s->measure != PSC_MEASURE_AREA)
             return s->inverse_total;
-        fan_hit_f64(fan, &p, &a, &b, &c, &t);
+        fan_hit_f64(&fan, &p, &a, &b, &c, &t);
     }
     return 2.0 * (t * t * t) / l->volume;
 }
@@ -249,7 +266,6 @@ static void invert_fan(const psc_sampler *s, const struct psc_fan_f64 *fan, int 
 psc_result psc_polygon_invert(const psc_sampler *s, const double direction[3], double epsilon,
                               double uv[2])
 {
-    const struct psc_polygon_light *l = &s->polygon;
     int i;
 
     if (s->projected) {
@@ -264,14 +280,13 @@ psc_result psc_polygon_invert(const psc_sampler *s, const double direction[3], d
             return PSC_OUTSIDE;
         invert_rectangle(s, f, &p, uv);
     } else {
-        struct psc_fan_f64 own;
+        struct psc_fan_f64 fan;
         struct psc_spot_f64 p;
-        int k;
-        const struct psc_fan_f64 *const fan = find_triangle(s, direction, epsilon, &own, &k, &p);
+        const int k = find_triangle(s, direction, epsilon, &fan, &p);
 
-        if (!fan)
+        if (k < 0)
             return PSC_OUTSIDE;
-        invert_fan(s, fan, k, &p, uv);
+        invert_fan(s, &fan, k, &p, uv);
     }
     for (i = 0; i < 2; i++)
         uv[i] = MIN(MAX(uv[i], 0.0), 1.0);

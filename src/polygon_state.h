@@ -3,12 +3,13 @@
 #ifndef PSC_SRC_POLYGON_STATE_H
 #define PSC_SRC_POLYGON_STATE_H
 
-#include "fan.h"
+#include "fan_lanes.h"
 #include "rectangle_map.h"
 #include "rectangle_plain_map.h"
 #include "sector_light.h"
 
-enum { PSC_MAX_FAN = PSC_MAX_VERTICES - 2 };
+/* How a light was built: with exact products, or without them as one of these. */
+enum psc_plain { PSC_NOT_PLAIN, PSC_PLAIN_TRIANGLE, PSC_PLAIN_RECTANGLE, PSC_PLAIN_FAN };
 
 struct psc_polygon_light {
     struct psc_polygon_view view;
@@ -21,9 +22,9 @@ struct psc_polygon_light {
     double volume;                   /* area times twice the height of the receiver above the
                                         light's plane, in units of the view */
 
-    /* A triangle or rectangle whose view and heights were not needed, and what they are made of;
-       a rectangle's geometry is there in any case. */
-    int plain;
+    /* A light whose view and heights were not needed, and what it is made of; a rectangle's geometry
+       is there in any case. */
+    enum psc_plain plain;
     double position[3], corner[3][3];
     struct psc_plain_fan_f64 plain_fan;
 
@@ -35,14 +36,20 @@ struct psc_polygon_light {
             /* The triangles that u selects from, without those of no size; below and per_share
                give the share of u of all before, and 1 / the share of this one. */
             int triangles;
-            double below[PSC_MAX_FAN], per_share[PSC_MAX_FAN];
-            struct psc_fan_f64 fan[PSC_MAX_FAN];
-            struct psc_face_f64 face[PSC_MAX_FAN];
-            struct psc_flat flat[PSC_MAX_FAN];
-            /* For maps along the edges: the first by area and where `plain` is not set. */
-            struct psc_rectangle rectangle;
-            struct psc_plain_rectangle plain_rectangle;
-            double edge_v[3]; /* at the right angle */
+            double below[PSC_FAN_LANES], per_share[PSC_FAN_LANES];
+            union {
+                struct {
+                    struct psc_fan_f64 fan[PSC_MAX_FAN];
+                    struct psc_face_f64 face[PSC_MAX_FAN];
+                    struct psc_flat flat[PSC_MAX_FAN];
+                    /* For maps along the edges: the first by area and of those that are not
+                       plain. */
+                    struct psc_rectangle rectangle;
+                    struct psc_plain_rectangle plain_rectangle;
+                    double edge_v[3]; /* at the right angle */
+                };
+                struct psc_ray_fans fans;
+            };
         };
     };
 };

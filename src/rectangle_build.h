@@ -92,7 +92,7 @@ static psc_result exact_rectangle_build(psc_sampler *s, const struct psc_request
         return result;
     s->visibility = see_horizon(request->normal, &l->view, l->receiver, l->up, l->height);
     l->triangles = 0;
-    l->plain = 0;
+    l->plain = PSC_NOT_PLAIN;
     for (c = 0; c < 3; c++) {
         places.offset[0][c] = 0.0;
         places.offset[1][c] = g[3 + c];
@@ -165,7 +165,7 @@ PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *re
     l->area = o.area;
     l->volume = 2.0 * ABS(o.volume);
     l->unit = 1.0;
-    l->plain = 1;
+    l->plain = PSC_PLAIN_RECTANGLE;
     copy3(request->position, l->position);
     keep_rectangle(l, g, o.edge_v);
     s->sides = 1;

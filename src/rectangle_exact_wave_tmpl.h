@@ -72,44 +72,14 @@ static void FN(exact_rectangles)(const struct psc_wave *wave, const real *u, con
                                  struct FN(psc_results) *r)
 {
     const int area = wave->measure == PSC_MEASURE_AREA, around = wave->facing == PSC_FACING_NONE;
-    uint32_t index[PSC_BLOCK];
-    real pu[PSC_BLOCK], pv[PSC_BLOCK];
     struct FN(psc_rectangles) all;
-    struct FN(psc_results) results;
-    struct psc_wave part;
-    size_t n = 0, i;
-    int c;
+    struct FN(psc_pending) part;
 
-    for (i = 0; i < wave->count; i++) {
-        index[n] = (uint32_t)i;
-        n += r->status[i] == PSC_PENDING;
-    }
-    if (n == 0)
+    if (!FN(gather_pending)(wave, u, v, r, &part))
         return;
-    part.count = n;
-    part.facing = wave->facing;
-    part.one_sided = wave->one_sided;
-    for (c = 0; c < 9; c++)
-        part.geometry[c] = part.numbers + c * PSC_BLOCK;
-    for (i = 0; i < n; i++) {
-        for (c = 0; c < 3; c++) {
-            part.position[c][i] = wave->position[c][index[i]];
-            part.normal[c][i] = wave->normal[c][index[i]];
-        }
-        for (c = 0; c < 9; c++)
-            part.geometry[c][i] = wave->geometry[c][index[i]];
-        pu[i] = u[index[i]];
-        pv[i] = v[index[i]];
-    }
-    if (area)
-        (around ? FN(exact_areas_around) : FN(exact_areas_above))(&part, pu, pv, &all, &results);
-    else
-        (around ? FN(exact_rectangles_around) : FN(exact_rectangles_above))(&part, pu, pv, &all,
-                                                                            &results);
-    FN(rectangle_finish)(&part, area, &all, &results);
-    for (i = 0; i < n; i++) {
-        for (c = 0; c < PSC_COMPONENTS; c++)
-            r->value[c][index[i]] = results.value[c][i];
-        r->status[index[i]] = results.status[i];
-    }
+    (area ? around ? FN(exact_areas_around) : FN(exact_areas_above)
+     : around ? FN(exact_rectangles_around)
+              : FN(exact_rectangles_above))(&part.wave, part.u, part.v, &all, &part.results);
+    FN(rectangle_finish)(&part.wave, area, &all, &part.results);
+    FN(scatter_pending)(&part, r);
 }

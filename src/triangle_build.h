@@ -19,7 +19,7 @@ static psc_result exact_triangle_build(psc_sampler *s, const struct psc_request 
 
     const psc_result result = psc_check_numbers(request);
 
-    l->plain = 0;
+    l->plain = PSC_NOT_PLAIN;
     if (result != PSC_SUCCESS)
         return result;
     if (!is_finite3(vertices) || !is_finite3(vertices + 3) || !is_finite3(vertices + 6) ||
@@ -84,7 +84,7 @@ PSC_LANE void keep_triangle(psc_sampler *s, int seen, const double *position,
     scale3(per_length, normal, l->normal);
     l->area = 0.5 * length;
     l->triangles = 1;
-    l->plain = 1;
+    l->plain = PSC_PLAIN_TRIANGLE;
     copy3(position, l->position);
     copy3(vertex[0], l->corner[0]);
     copy3(vertex[1], l->corner[1]);

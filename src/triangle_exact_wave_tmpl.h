@@ -138,52 +138,13 @@ static void FN(sample_exact)(const struct psc_wave *restrict wave,
 static void FN(exact_elements)(const struct psc_wave *wave, const real *u, const real *v,
                                struct FN(psc_results) *r)
 {
-    uint32_t index[PSC_BLOCK];
-    real pu[PSC_BLOCK], pv[PSC_BLOCK];
+    struct FN(psc_pending) part;
     struct FN(psc_exact_fans) fans;
-    struct FN(psc_results) results;
-    struct psc_wave part;
-    int32_t pending = 0;
-    size_t n = 0, i;
-    int c;
 
-    for (i = 0; i < wave->count; i++)
-        pending |= r->status[i] == PSC_PENDING;
-    if (!pending)
+    if (!FN(gather_pending)(wave, u, v, r, &part))
         return;
-    for (i = 0; i < wave->count; i++) {
-        index[n] = (uint32_t)i;
-        n += r->status[i] == PSC_PENDING;
-    }
-    part.count = n;
-    part.facing = wave->facing;
-    part.one_sided = wave->one_sided;
-    part.surface = wave->surface;
-    for (c = 0; c < 15; c++) {
-        const real *const from = c < 3   ? wave->position[c]
-                                   : c < 6 ? wave->normal[c - 3]
-                                           : wave->geometry[c - 6];
-        real *const to = part.numbers + c * PSC_BLOCK;
-
-        for (i = 0; i < n; i++)
-            to[i] = from[index[i]];
-        *(c < 3   ? part.position + c
-          : c < 6 ? part.normal + (c - 3)
-                  : part.geometry + (c - 6)) = to;
-    }
-    for (i = 0; i < n; i++) {
-        pu[i] = u[index[i]];
-        pv[i] = v[index[i]];
-    }
-    if (wave->facing == PSC_FACING_NONE)
-        FN(build_exact_around)(&part, &fans);
-    else
-        FN(build_exact_above)(&part, &fans);
-    FN(sample_exact)(&part, &fans, pu, pv, &results);
-    for (i = 0; i < n; i++) {
-        for (c = 0; c < PSC_COMPONENTS; c++)
-            if (wave->surface || c < PSC_POINT || c == PSC_WEIGHT)
-                r->value[c][index[i]] = results.value[c][i];
-        r->status[index[i]] = results.status[i];
-    }
+    (wave->facing == PSC_FACING_NONE ? FN(build_exact_around)
+                                     : FN(build_exact_above))(&part.wave, &fans);
+    FN(sample_exact)(&part.wave, &fans, part.u, part.v, &part.results);
+    FN(scatter_pending)(&part, r);
 }

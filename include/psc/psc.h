@@ -442,8 +442,13 @@ PSC_API psc_result psc_build_rectangle(psc_sampler *sampler, const psc_technique
  * The front is the side from which the vertices run counter-clockwise. Surface has the numbers s
  * and t with point = v0 + s (v1 - v0) + t (v(last) - v0); 0 if these two edges are in line.
  * @param count     3 to 16 vertices
- * @param vertices  three finite numbers each, in order around the polygon, in one plane to within
- *                  1e-6 of its extent, and nowhere turning back by more than 1e-6 as a sine.
+ * @param vertices  three finite numbers each, in order around the polygon, nowhere turning back by
+ *                  more than 1e-6 as a sine, and in one plane to within 1e-6 of the polygon's extent
+ *                  and of its largest coordinate, taken together: 16 roundings to float of that, so
+ *                  that those that are kept in float may be anywhere. Where they are not in one
+ *                  plane, points by solid angle and by area are on the triangles of the fan, by
+ *                  projected solid angle on segments from edge to edge; the normal is the mean of
+ *                  those of the triangles, by area.
  *                  Several may be in line or the same. Without area: PSC_EMPTY.
  * @param stride    bytes from one vertex to the next; 3 * sizeof(double) for packed ones
  * @return as psc_build_triangle(), or PSC_ERROR_VERTEX_COUNT, PSC_ERROR_NOT_PLANAR,

@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/*
+ * Fans by solid angle in plain double arithmetic, which is as good as exact products for all but
+ * needles, receivers all but in the plane of the light, and lights as wide as half the sky; with
+ * the tests for these. Triangles are functions of their vertices alone: loops that are vector code
+ * build those of one light, or one of each light of a wavefront, to the same bits.
+ */
+#ifndef PSC_SRC_FAN_LANES_H
+#define PSC_SRC_FAN_LANES_H
+
+#include <psc/psc.h>
+
+#include "fan.h"
+
+/* What the maps need to know of a triangle A, B, C in units of |b|: see fan.h. In the frame at B
+   a is (1 - less_a, 1 / per_along, 0) and c is (1 - less_c, slant, 1 / per_above). */
+#define PSC_RAY_FIELDS(X, V)               \
+    X(half) X(cos_a) X(near) X(far)        \
+    V(toward_a) V(toward_c)                \
+    X(per_along) X(per_above) X(slant)     \
+    X(less_a) X(less_c)
+
+#define PSC_RAY_NUMBER(name) double name;
+#define PSC_RAY_VECTOR(name) double name[3];
+struct psc_ray_fan_f64 { PSC_RAY_FIELDS(PSC_RAY_NUMBER, PSC_RAY_VECTOR) };
+#undef PSC_RAY_NUMBER
+#undef PSC_RAY_VECTOR
+#define PSC_RAY_NUMBER(name) float name;
+#define PSC_RAY_VECTOR(name) float name[3];
+struct psc_ray_fan_f32 { PSC_RAY_FIELDS(PSC_RAY_NUMBER, PSC_RAY_VECTOR) };
+#undef PSC_RAY_NUMBER
+#undef PSC_RAY_VECTOR
+
+PSC_LANE struct psc_ray_fan_f32 psc_ray_fan_round(const struct psc_ray_fan_f64 *from)
+{
+    struct psc_ray_fan_f32 r;
+
+    PSC_RAY_FIELDS(PSC_ROUND_NUMBER, PSC_ROUND_VECTOR)
+    return r;
+}
+
+/* ---- A triangle ---- */
+
+/* The vertex that the triangles of a fan share, as the receiver sees it. */
+struct psc_fan_pivot {
+    double b[3], b2, size, inverse, unit[3]; /* |b|^2, |b|, 1 / |b|, b / |b| */
+    double inverse2, inverse4;               /* powers of 1 / |b| */
+};
+
+PSC_LANE void see_pivot(const double vertex[3], const double position[3], struct psc_fan_pivot *o)
+{
+    subtract3(vertex, position, o->b);
+    o->b2 = dot(o->b, o->b);
+    o->size = SQRT(o->b2);
+    o->inverse = 1.0 / o->size;
+    o->inverse2 = o->inverse * o->inverse;
+    o->inverse4 = o->inverse2 * o->inverse2;
+    scale3(o->inverse, o->b, o->unit);
+}
+
+/* The vertices next to B as the receiver sees them, and the edges: from B to A and C, from A to C;
+   each to rounding of itself. */
+struct psc_fan_sides {
+    double a[3], c[3], edge_a[3], edge_c[3], edge_ac[3];
+};
+
+struct psc_fan_sight {
+    double size_a, size_c, ab[3], size_ab; /* |a|, |c|, a x b */
+    double dot_ab, dot_bc, across;         /* (a x b) . (a x c) */
+    double normal[3], volume;              /* (c - b) x (a - b), and b times that */
+    double sine, cosine;                   /* N and D of the solid angle, times |a| |b| |c| */
+    double doubt;                          /* the square of what 8 roundings of may be missing of
+                                              the solid angle */
+};
+
+/*
+ * Returns whether rounding does no harm to the triangle's own. u being a rounding error,
+ *  - the volume is off by less than 8 u |b| |edge_a| |edge_c|, and a x b and a x c by less than
+ *    4 u of the lengths' products. Where the volume is a sixteenth of that and of |a| |edge_a|
+ *    |edge_ac|, what is then missing to a corner is small along every side that ends there: for it
+ *    is by as much as the angle there is small that a volume falls below the elevation of b, and
+ *    that is bounded by the doubt of all triangles together (is_sure_fan());
+ *  - the cosine D of the solid angle [OS83], 1 + cos ab + cos ac + cos bc, is off by less than 6 u;
+ *    with N the sine, N^2 + D^2 = 2 (1 + cos ab) (1 + cos ac) (1 + cos bc), so that where that is
+ *    1/8 no side is near half a turn, and the angle of (D, N) is off by less than 17 u;
+ *  - every length is the volume divided by two others, none above the sum of |a|, |b| and |c|: so
+ *    that the last line keeps all products, and in float the quotients, clear of the range's ends.
+ */
+PSC_LANE int see_fan_triangle(const struct psc_fan_pivot *p, const struct psc_fan_sides *e,
+                              struct psc_fan_sight *o)
+{
+    const double a2 = dot(e->a, e->a), c2 = dot(e->c, e->c), dot_ac = dot(e->a, e->c);
+    const double e2 = dot(e->edge_a, e->edge_a), f2 = dot(e->edge_c, e->edge_c);
+    const double at_b = p->b2 * f2, at_a = a2 * dot(e->edge_ac, e->edge_ac);
+    const double limit = e2 * MAX(at_a, at_b);
+    double ac[3], sizes, reach, square;
+
+    o->size_a = SQRT(a2);
+    o->size_c = SQRT(c2);
+    sizes = (o->size_a * p->size) * o->size_c;
+    reach = (o->size_a + p->size) + o->size_c;
+    o->dot_ab = dot(e->a, p->b);
+    o->dot_bc = dot(p->b, e->c);
+    cross_rounded(e->edge_c, e->edge_a, o->normal);
+    o->volume = dot(p->b, o->normal);
+    o->sine = ABS(o->volume);
+    o->cosine = (sizes + o->dot_ab * o->size_c) + (dot_ac * p->size + o->dot_bc * o->size_a);
+    cross_rounded(e->edge_a, p->b, o->ab);
+    cross_rounded(e->a, e->edge_ac, ac);
+    o->size_ab = SQRT(dot(o->ab, o->ab));
+    o->across = dot(o->ab, ac);
+    square = o->cosine * o->cosine + o->sine * o->sine;
+    o->doubt = limit / square;
+    return (256.0 * (o->sine * o->sine) > limit) & (8.0 * square > sizes * sizes) &
+           (o->sine > 0x1p-100 * ((reach * reach) * reach)) & (reach > 0x1p-120) &
+           (reach < 0x1p120);
+}
+
+/* Half the solid angle. */
+PSC_LANE double half_of_sight(const struct psc_fan_sight *o)
+{
+    double rest;
+
+    return arc_and_rest(o->cosine, o->sine, &rest);
+}
+
+/* Whether the halves of some triangles, of which none is off by more than 8 u times the root of its
+   doubt, add up to less than 48 u of their sum. */
+PSC_LANE int is_sure_fan(int triangles, double doubts, double halves)
+{
+    return (double)triangles * doubts < 36.0 * (halves * halves);
+}
+
+/* The constants of the map but for half. Divisions are slow, so that two share one. */
+PSC_LANE void build_ray_fan(const struct psc_fan_pivot *p, const struct psc_fan_sides *e,
+                            const struct psc_fan_sight *o, struct psc_ray_fan_f64 *f)
+{
+    const double more = o->size_a * p->size + ABS(o->dot_ab);
+    const double by_more = (o->size_ab * more) * p->inverse4;
+    const double by_volume = (o->size_a * o->sine) * p->inverse4;
+    const double inverse = 1.0 / (by_more * by_volume);
+    const double per_more = (by_volume * inverse) * p->inverse4;
+    const double per_volume = (by_more * inverse) * p->inverse4;
+    const double tangent = o->size_ab * (o->size_ab * per_more);
+    const double per_ab = more * per_more, cotangent = more * per_ab;
+    const double side = COPYSIGN(per_ab, o->volume);
+    double across[3];
+
+    f->cos_a = o->across * per_volume;
+    f->near = o->dot_ab >= 0.0 ? tangent : cotangent;
+    f->far = o->dot_ab >= 0.0 ? cotangent : tangent;
+    scale3(per_ab, o->ab, across);
+    scale3(side, o->ab, f->toward_c);
+    cross_rounded(p->unit, across, f->toward_a);
+    f->per_along = p->b2 * per_ab;
+    f->per_above = (o->size_ab * p->size) * (o->size_a * per_volume);
+    f->slant = dot(e->edge_c, f->toward_a) * p->inverse;
+    f->less_a = 1.0 - o->dot_ab * p->inverse2;
+    f->less_c = 1.0 - o->dot_bc * p->inverse2;
+}
+
+/* The same constants as other triangles have them. */
+static inline void fan_of_rays(const struct psc_ray_fan_f64 *from, const double b[3],
+                               struct psc_fan_f64 *f)
+{
+    const double a_b = 1.0 - from->less_a, a_a = 1.0 / from->per_along;
+    const double c_b = 1.0 - from->less_c, c_c = 1.0 / from->per_above;
+
+    f->half = from->half;
+    f->rest = PSC_PI - from->half;
+    f->sin_a = f->gap = f->per_b = 1.0;
+    f->cos_a = from->cos_a;
+    f->sin_rest = 0.0;
+    f->near = from->near;
+    f->far = from->far;
+    copy3(b, f->b);
+    copy3(from->toward_a, f->toward_a);
+    copy3(from->toward_c, f->toward_c);
+    f->per_a = 1.0 / SQRT(a_b * a_b + a_a * a_a);
+    f->per_c = 1.0 / SQRT((c_b * c_b + from->slant * from->slant) + c_c * c_c);
+    f->share_a = from->per_along / f->per_a;
+    f->share_c = from->per_above / f->per_c;
+    f->slant = from->slant * f->per_c;
+    f->cos_ab = a_b * f->per_a;
+    f->cos_bc = c_b * f->per_c;
+}
+
+/* ---- The triangles of a light, number by number ---- */
+
+/* Loops over the triangles of a fan take PSC_FAN_STEP at a time, the last of them beyond its end:
+   the last vertex stands for those that there are not. */
+enum {
+    PSC_MAX_FAN = PSC_MAX_VERTICES - 2,
+    PSC_FAN_STEP = 4,
+    PSC_FAN_LANES = PSC_MAX_VERTICES + PSC_FAN_STEP
+};
+
+/* Triangle k has the vertices 0, k + 1 and k + 2. */
+#define PSC_RAY_NUMBER(name) double name[PSC_FAN_LANES];
+#define PSC_RAY_VECTOR(name) double name[3][PSC_FAN_LANES];
+struct psc_ray_fans {
+    double vertex[3][PSC_FAN_LANES], place[2][PSC_FAN_LANES]; /* in world space, on the surface */
+    double b[3];                                              /* B, of length 1 */
+    PSC_RAY_FIELDS(PSC_RAY_NUMBER, PSC_RAY_VECTOR)
+};
+#undef PSC_RAY_NUMBER
+#undef PSC_RAY_VECTOR
+
+PSC_LANE void store_ray_fan(struct psc_ray_fans *to, int k, const struct psc_ray_fan_f64 *fan)
+{
+#define PSC_RAY_NUMBER(name) to->name[k] = fan->name;
+#define PSC_RAY_VECTOR(name)         \
+    to->name[0][k] = fan->name[0];   \
+    to->name[1][k] = fan->name[1];   \
+    to->name[2][k] = fan->name[2];
+    PSC_RAY_FIELDS(PSC_RAY_NUMBER, PSC_RAY_VECTOR)
+#undef PSC_RAY_NUMBER
+#undef PSC_RAY_VECTOR
+}
+
+PSC_LANE void load_ray_fan(const struct psc_ray_fans *from, int k, struct psc_ray_fan_f64 *fan)
+{
+#define PSC_RAY_NUMBER(name) fan->name = from->name[k];
+#define PSC_RAY_VECTOR(name)           \
+    fan->name[0] = from->name[0][k];   \
+    fan->name[1] = from->name[1][k];   \
+    fan->name[2] = from->name[2][k];
+    PSC_RAY_FIELDS(PSC_RAY_NUMBER, PSC_RAY_VECTOR)
+#undef PSC_RAY_NUMBER
+#undef PSC_RAY_VECTOR
+}
+
+#endif
