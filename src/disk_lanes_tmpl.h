@@ -21,9 +21,8 @@ PSC_LANE void FN(load_element)(const struct psc_wave *wave, int parts, size_t e,
         o->position[i] = wave->position[i][e];
         o->receiver[i] = wave->normal[i][e];
     }
-    /* not through wave->geometry: these might be anywhere */
     for (i = 0; i < parts; i++)
-        o->geometry[i] = wave->numbers[(size_t)i * PSC_BLOCK + e];
+        o->geometry[i] = wave->geometry[i][e];
     for (i = 0; i < 3; i++)
         sum += ((o->geometry[i] - o->position[i]) * 0.0 + o->position[i] * 0.0) +
                o->receiver[i] * 0.0;

@@ -203,7 +203,7 @@ PSC_LANE psc_result plain_polygon_build(psc_sampler *s, const struct psc_request
     l->area = 0.5 * SQRT(dot(sums, sums));
     l->unit = pivot.size;
     l->triangles = triangles;
-    l->view.count = count;
+    l->numbers = request->numbers;
     l->plain = PSC_PLAIN_FAN;
     copy3(request->position, l->position);
     s->total = l->solid_angle = 2.0 * parts;

@@ -5,8 +5,19 @@
 
 #include "fan_build.h"
 #include "polygon_lanes.h"
-#include "projection.h"
-#include "sampler.h"
+#include "polygon_projected.h"
+
+/* What was given; it may be there already. */
+PSC_LANE void keep_numbers(struct psc_polygon_light *l, const struct psc_request *request,
+                           const double *numbers, int count)
+{
+    int i;
+
+    l->numbers = count;
+    copy3(request->position, l->position);
+    for (i = 0; numbers != l->corner[0] && i < count; i += 3)
+        copy3(numbers + i, l->corner[i / 3]);
+}
 
 /* The triangle of the vertices a, b, c of a view, which are at those places of `vertices`. */
 PSC_LANE void triangle_words(const struct psc_polygon_view *view, const double *vertices, int a,
@@ -73,15 +84,18 @@ PSC_LANE void fan_add(struct psc_polygon_light *l, psc_measure measure,
     double part;
     int i;
 
-    see_triangle(w, &seen);
+    if (measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE)
+        see_volume(&w->b, &w->edge_c, &w->edge_a, &seen);
+    else
+        see_triangle(w, &seen);
     for (i = 0; i < 3; i++)
         sums->normal[i] += seen.normal[i];
-    if (!(seen.half > 0.0))
+    if (measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE)
+        sums->volume += seen.volume;
+    if (measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE || !(seen.half > 0.0))
         return;
     sums->volume += seen.volume;
     sums->half += seen.half;
-    if (measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE)
-        return;
     fan_build(&seen, &w->b, &w->edge_c, l->fan + l->triangles);
     for (i = 0; i < 3; i++) {
         face->pivot[i] = at->pivot[i];
@@ -108,55 +122,6 @@ PSC_LANE void fan_add(struct psc_polygon_light *l, psc_measure measure,
     l->per_share[l->triangles] = part;
     sums->parts += part;
     l->triangles++;
-}
-
-/* The vertices from the first, in world space, and their coordinates on the light's surface. */
-struct psc_polygon_places {
-    const double *first;
-    double offset[PSC_MAX_VERTICES][3];
-    const double (*place)[2];
-};
-
-PSC_LANE void vertex_offsets(const double *vertices, int count, struct psc_polygon_places *to)
-{
-    int i, c;
-
-    for (i = 0; i < count; i++)
-        for (c = 0; c < 3; c++)
-            to->offset[i][c] = vertices[3 * i + c] - vertices[c];
-}
-
-/* Coordinates on the surface of a triangle, and of a rectangle. */
-static const double triangle_places[3][2] = {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}};
-static const double rectangle_places[4][2] = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
-
-/* A light as its projection wants it. */
-PSC_LANE void projection_of(const struct psc_polygon_light *l, struct psc_projection *o)
-{
-    o->view = &l->view;
-    o->up = l->up;
-    o->normal = l->receiver;
-    o->turns_left = l->turns_left;
-    o->offset = NULL;
-    o->place = NULL;
-}
-
-static inline void projected_finish(psc_sampler *s, const struct psc_polygon_places *places)
-{
-    struct psc_sector_light *const to = &s->polygon.projected;
-    struct psc_projection what;
-    int i;
-
-    projection_of(&s->polygon, &what);
-    what.offset = places->offset;
-    what.place = places->place;
-    s->sides = project(&what, s->facing == PSC_FACING_BOTH, to);
-    s->total = 0.0;
-    for (i = 0; i < s->sides; i++)
-        s->total += to->side[i].total;
-    s->split = s->sides == 2 ? to->side[0].total / s->total : 1.0;
-    for (i = 0; i < 3; i++)
-        to->pivot[i] = places->first[i];
 }
 
 /* What is left when all triangles are there. front is the sign of the volume for a receiver that
@@ -289,6 +254,7 @@ PSC_APART psc_result exact_polygon_build(psc_sampler *s, const struct psc_reques
     result = check_polygon(&l->view, vertices);
     if (result != PSC_SUCCESS)
         return result;
+    keep_numbers(l, request, vertices, request->numbers);
     s->visibility = see_horizon(request->normal, &l->view, l->receiver, l->up, l->height);
     for (i = 1; i < count; i++)
         edge_of(vertices, vertices + 3 * i, l->view.scale, spoke[i], low);
@@ -301,6 +267,11 @@ PSC_APART psc_result exact_polygon_build(psc_sampler *s, const struct psc_reques
         surface_places(spoke[1], spoke[count - 1], spoke[i], place[i], place[i] + 1);
     l->triangles = 0;
     l->plain = PSC_NOT_PLAIN;
+    if (s->projected) {
+        result = plain_projected_build(s, request, count, &places);
+        if (result != PSC_PENDING)
+            return result;
+    }
     for (i = 1; i + 1 < count; i++) {
         const struct psc_fan_places at = {
             vertices, place[i][0], place[i][1], 0.0, 0.0, place[i + 1][0], place[i + 1][1]};

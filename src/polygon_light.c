@@ -13,67 +13,50 @@
 
 /* ---- Totals ---- */
 
-psc_result psc_polygon_solid_angle_of(const psc_sampler *s, double *value)
-{
-    const struct psc_polygon_light *const l = &s->polygon;
-
-    *value = s->sides == 0 ? 0.0 : l->solid_angle;
-    /* By area some are built without it. */
-    if (s->sides > 0 && l->plain && s->measure == PSC_MEASURE_AREA) {
-        if (l->plain == PSC_PLAIN_TRIANGLE)
-            return psc_triangle_solid_angle(l->position, l->corner[0], l->corner[1], l->corner[2],
-                                            value);
-        rectangle_half(l->position, l->corner[0], value);
-        *value *= 2.0;
-    }
-    return *value > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
-}
-
 /* Of a light that was built without what this takes: of one that is built for it. */
-static psc_result plain_projected_solid_angle(const psc_sampler *s, double *value)
+static double built_total(const psc_sampler *s, psc_measure measure)
 {
     const struct psc_polygon_light *const l = &s->polygon;
-    const struct psc_request request = {.measure = PSC_MEASURE_PROJECTED_SOLID_ANGLE,
-                                        .map = PSC_MAP_RADIAL,
-                                        .facing = s->facing,
+    const int projected = measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE;
+    const struct psc_request request = {.measure = measure,
+                                        .map = projected ? PSC_MAP_RADIAL : s->map,
+                                        .facing = projected ? s->facing : PSC_FACING_NONE,
                                         .position = l->position,
-                                        .normal = l->receiver,
-                                        .numbers = l->plain == PSC_PLAIN_FAN ? 3 * l->view.count
-                                                                             : 9};
+                                        .normal = projected ? l->receiver : NULL,
+                                        .numbers = l->numbers};
     double numbers[3 * PSC_MAX_VERTICES];
     psc_sampler other;
     int i;
 
     psc_clear(&other);
     other.measure = request.measure;
-    other.facing = request.facing;
-    other.projected = 1;
     other.map = request.map;
+    other.facing = request.facing;
+    other.projected = projected;
     for (i = 0; i < request.numbers; i++)
         numbers[i] = l->plain == PSC_PLAIN_FAN ? l->fans.vertex[i % 3][i / 3]
                                                : l->corner[i / 3][i % 3];
     s->f64->build(&other, &request, numbers);
-    *value = other.total;
+    return other.total;
+}
+
+psc_result psc_polygon_solid_angle_of(const psc_sampler *s, double *value)
+{
+    const int known = !s->projected && !(s->polygon.plain && s->measure == PSC_MEASURE_AREA);
+
+    *value = s->sides == 0 ? 0.0
+             : known       ? s->polygon.solid_angle
+                           : built_total(s, PSC_MEASURE_SOLID_ANGLE);
     return *value > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
 }
 
 psc_result psc_polygon_projected_solid_angle(const psc_sampler *s, double *value)
 {
-    struct psc_sector_light sectors;
-    struct psc_projection what;
-    int i, sides;
-
     if (s->facing == PSC_FACING_NONE)
         return PSC_ERROR_NEEDS_NORMAL;
-    if (s->sides > 0 && s->polygon.plain)
-        return plain_projected_solid_angle(s, value);
-    *value = s->sides > 0 && s->projected ? s->total : 0.0;
-    if (s->sides > 0 && !s->projected) {
-        projection_of(&s->polygon, &what);
-        sides = project(&what, s->facing == PSC_FACING_BOTH, &sectors);
-        for (i = 0; i < sides; i++)
-            *value += sectors.side[i].total;
-    }
+    *value = s->sides == 0  ? 0.0
+             : s->projected ? s->total
+                            : built_total(s, PSC_MEASURE_PROJECTED_SOLID_ANGLE);
     return *value > 0.0 ? PSC_SUCCESS : PSC_EMPTY;
 }
 

@@ -22,11 +22,13 @@ struct psc_polygon_light {
     double volume;                   /* area times twice the height of the receiver above the
                                         light's plane, in units of the view */
 
-    /* A light whose view and heights were not needed, and what it is made of; a rectangle's geometry
-       is there in any case. */
+    /* How it was built: without view and heights where it is plain. */
     enum psc_plain plain;
-    double position[3], corner[3][3];
     struct psc_plain_fan_f64 plain_fan;
+    /* What was given, for questions whose answers sampling does not need: vertices, or a corner and
+       two edges. */
+    int numbers;
+    double position[3], corner[PSC_MAX_VERTICES][3];
 
     int turns_left;                  /* vertices run counterclockwise seen from the receiver */
 

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
  * A polygon in the receiver's frame, z upwards. Points are kept in two words: what is left of the
- * differences and vector products of a sliver's points is then still exact to rounding.
+ * differences and vector products of a sliver's points is then still exact to rounding. `plain`,
+ * here and in what is built on it, is a constant: the first words alone count, see
+ * plain_projection.h.
  */
 #ifndef PSC_SRC_RECEIVER_VIEW_H
 #define PSC_SRC_RECEIVER_VIEW_H
@@ -69,27 +71,43 @@ PSC_LANE void ring_step(const struct psc_ring_point *p, const struct psc_ring_po
 {
     int c;
 
+    PSC_UNROLL
     for (c = 0; c < 3; c++) {
         two_sum(q->offset.high[c], -p->offset.high[c], &step->high[c], &step->low[c]);
         step->low[c] += q->offset.low[c] - p->offset.low[c];
     }
 }
 
+PSC_LANE void plain_step(const struct psc_ring_point *p, const struct psc_ring_point *q,
+                         double step[3])
+{
+    subtract3(q->offset.high, p->offset.high, step);
+}
+
 /* z of p x q. */
-PSC_LANE double cross2(const struct psc_ring_point *p, const struct psc_ring_point *q)
+PSC_LANE double cross2(int plain, const struct psc_ring_point *p, const struct psc_ring_point *q)
 {
     struct psc_word2 step;
 
+    if (plain) {
+        plain_step(p, q, step.high);
+        return p->p.high[0] * step.high[1] - p->p.high[1] * step.high[0];
+    }
     ring_step(p, q, &step);
     return words_difference(&p->p, 0, &step, 1);
 }
 
 /* p x q. */
-PSC_LANE void ring_cross(const struct psc_ring_point *p, const struct psc_ring_point *q,
-                         double to[3])
+PSC_LANE void ring_cross(int plain, const struct psc_ring_point *p,
+                         const struct psc_ring_point *q, double to[3])
 {
     struct psc_word2 step;
 
+    if (plain) {
+        plain_step(p, q, step.high);
+        cross_rounded(p->p.high, step.high, to);
+        return;
+    }
     ring_step(p, q, &step);
     to[0] = words_difference(&p->p, 1, &step, 2);
     to[1] = words_difference(&p->p, 2, &step, 0);
@@ -97,12 +115,18 @@ PSC_LANE void ring_cross(const struct psc_ring_point *p, const struct psc_ring_p
 }
 
 /* (p, q, r), the triple product. */
-static inline double ring_volume(const struct psc_ring_point *p, const struct psc_ring_point *q,
-                                 const struct psc_ring_point *r)
+PSC_LANE double ring_volume(int plain, const struct psc_ring_point *p,
+                            const struct psc_ring_point *q, const struct psc_ring_point *r)
 {
     struct psc_word2 second, first;
     struct psc_triangle_view seen;
 
+    if (plain) {
+        plain_step(p, q, second.high);
+        plain_step(p, r, first.high);
+        cross_rounded(second.high, first.high, seen.normal);
+        return dot(p->p.high, seen.normal);
+    }
     ring_step(p, q, &second);
     ring_step(p, r, &first);
     see_volume(&p->p, &second, &first, &seen);
@@ -131,13 +155,30 @@ PSC_LANE void turn_words(const struct psc_receiver_view *view, const double norm
     }
 }
 
+/* By how much x and y of the frame are not perpendicular to the normal. */
+PSC_LANE void frame_slip(const struct psc_receiver_view *view, const double normal[3],
+                         double shrink, double slip[2])
+{
+    int c;
+
+    for (c = 0; c < 2; c++) {
+        double sum, error;
+
+        two_product(normal[0], view->frame[c][0], &sum, &error);
+        add_product(normal[1], view->frame[c][1], &sum, &error);
+        add_product(normal[2], view->frame[c][2], &sum, &error);
+        slip[c] = (sum + error) * shrink;
+    }
+}
+
 /* Products of all points and the next. */
 PSC_LANE void view_edges(struct psc_receiver_view *view)
 {
     int i;
 
     for (i = 0; i < view->count; i++)
-        ring_cross(view->point + i, view->point + (i + 1 < view->count ? i + 1 : 0), view->edge[i]);
+        ring_cross(0, view->point + i, view->point + (i + 1 < view->count ? i + 1 : 0),
+                   view->edge[i]);
 }
 
 /* The view from above. up is the normal with length 1, rounded. */
@@ -154,14 +195,7 @@ static inline void see_from_receiver(const struct psc_polygon_view *view, const 
     frame_across(up, o->frame[0], o->frame[1]);
     for (c = 0; c < 3; c++)
         o->frame[2][c] = up[c];
-    for (c = 0; c < 2; c++) {
-        double sum, error;
-
-        two_product(normal[0], o->frame[c][0], &sum, &error);
-        add_product(normal[1], o->frame[c][1], &sum, &error);
-        add_product(normal[2], o->frame[c][2], &sum, &error);
-        slip[c] = (sum + error) * shrink;
-    }
+    frame_slip(o, normal, shrink, slip);
     memset(&o->point[0].offset, 0, sizeof o->point[0].offset);
     for (i = 0; i < view->count; i++) {
         struct psc_ring_point *const p = o->point + i;

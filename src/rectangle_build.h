@@ -37,17 +37,6 @@ static inline void rectangle_fan(psc_sampler *s, const struct psc_rectangle_word
     sums->volume = l->triangles > 0 ? sums->volume : 0.0;
 }
 
-/* The geometry, for points in world space and for questions. */
-PSC_LANE void keep_rectangle(struct psc_polygon_light *l, const double *g, const double edge_v[3])
-{
-    copy3(edge_v, l->edge_v);
-    if (g == l->corner[0])
-        return;
-    copy3(g, l->corner[0]);
-    copy3(g + 3, l->corner[1]);
-    copy3(g + 6, l->corner[2]);
-}
-
 /* Half the solid angle: the plain one where it is as good. */
 static inline psc_result rectangle_half(const double position[3], const double *g, double *half)
 {
@@ -72,12 +61,34 @@ static inline psc_result rectangle_half(const double position[3], const double *
     return result;
 }
 
+/* By projected solid angle, or PSC_PENDING where rounding may have had a say. */
+PSC_LANE psc_result projected_rectangle_build(psc_sampler *s, const struct psc_request *request,
+                                          const double *g)
+{
+    const double *const u = g + 3, *const v = g + 6;
+    const double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v);
+    const double limit = 0.25 * PSC_RECTANGLE_TOLERANCE * PSC_RECTANGLE_TOLERANCE;
+    struct psc_polygon_places places;
+    double along[3];
+
+    if (!(is_fair(uu) && is_fair(vv) && uv * uv <= limit * (uu * vv)))
+        return PSC_PENDING;
+    places.first = g;
+    places.place = rectangle_places;
+    places.offset[0][0] = places.offset[0][1] = places.offset[0][2] = 0.0;
+    copy3(u, places.offset[1]);
+    scale3(uv / uu, u, along);
+    subtract3(v, along, places.offset[3]);
+    add3(u, places.offset[3], places.offset[2]);
+    return plain_projected_build(s, request, 4, &places);
+}
+
 static psc_result exact_rectangle_build(psc_sampler *s, const struct psc_request *request,
                                         const double *g)
 {
     struct psc_polygon_light *l = &s->polygon;
     struct psc_fan_sums sums = NO_SUMS;
-    struct psc_polygon_places places = {.first = g, .place = rectangle_places};
+    struct psc_polygon_places places;
     struct psc_rectangle *const f = &l->rectangle;
     struct psc_triangle_view seen;
     struct psc_rectangle_words o;
@@ -86,13 +97,22 @@ static psc_result exact_rectangle_build(psc_sampler *s, const struct psc_request
 
     if (result == PSC_SUCCESS && !(is_finite3(g) && is_finite3(g + 3) && is_finite3(g + 6)))
         result = PSC_ERROR_NOT_FINITE;
-    if (result == PSC_SUCCESS)
-        result = see_rectangle(request->position, g, &l->view, &o);
+    if (result != PSC_SUCCESS)
+        return result;
+    keep_numbers(l, request, g, 9);
+    if (s->projected) {
+        result = projected_rectangle_build(s, request, g);
+        if (result != PSC_PENDING)
+            return result;
+    }
+    result = see_rectangle(request->position, g, &l->view, &o);
     if (result != PSC_SUCCESS)
         return result;
     s->visibility = see_horizon(request->normal, &l->view, l->receiver, l->up, l->height);
     l->triangles = 0;
     l->plain = PSC_NOT_PLAIN;
+    places.first = g;
+    places.place = rectangle_places;
     for (c = 0; c < 3; c++) {
         places.offset[0][c] = 0.0;
         places.offset[1][c] = g[3 + c];
@@ -111,7 +131,7 @@ static psc_result exact_rectangle_build(psc_sampler *s, const struct psc_request
         rectangle_half(request->position, g, &sums.half);
     if (s->map == PSC_MAP_RADIAL && !s->projected)
         rectangle_fan(s, &o, g, &sums);
-    keep_rectangle(l, g, places.offset[3]);
+    copy3(places.offset[3], l->edge_v);
     return polygon_finish(s, request, &sums, 1.0, &places);
 }
 
@@ -166,8 +186,8 @@ PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *re
     l->volume = 2.0 * ABS(o.volume);
     l->unit = 1.0;
     l->plain = PSC_PLAIN_RECTANGLE;
-    copy3(request->position, l->position);
-    keep_rectangle(l, g, o.edge_v);
+    copy3(o.edge_v, l->edge_v);
+    keep_numbers(l, request, g, 9);
     s->sides = 1;
     s->split = 1.0;
     return PSC_SUCCESS;

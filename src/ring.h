@@ -64,27 +64,36 @@ PSC_LANE void move_word(const struct psc_word2 *v, int c, double step, double st
 }
 
 /* Where the edge from a to b meets the horizon. Returns how far from a, as a share of the edge. */
-static inline double meet_horizon(const struct psc_ring_point *a, const struct psc_ring_point *b,
-                                  struct psc_ring_point *o)
+PSC_LANE double meet_horizon(int plain, const struct psc_ring_point *a,
+                             const struct psc_ring_point *b, struct psc_ring_point *o)
 {
     const double high = ABS(a->p.high[2]), deep = ABS(b->p.high[2]);
-    const double low = COPYSIGN(1.0, a->p.high[2]) * a->p.low[2];
-    const double deep_low = COPYSIGN(1.0, b->p.high[2]) * b->p.low[2];
-    double sum, sum_low, share, share_low, product, error;
+    double low, deep_low, sum, sum_low, share, share_low, product, error;
     struct psc_word2 step;
     int c;
 
-    two_sum(high, deep, &sum, &sum_low);
-    sum_low += low + deep_low;
-    share = high / sum;
-    two_product(share, sum, &product, &error);
-    share_low = (((high - product) - error) + (low - share * sum_low)) / sum;
-    ring_step(a, b, &step);
-    for (c = 0; c < 3; c++) {
-        two_product(share, step.high[c], &product, &error);
-        error += share * step.low[c] + share_low * step.high[c];
-        move_word(&a->p, c, product, error, &o->p);
-        move_word(&a->offset, c, product, error, &o->offset);
+    if (plain) {
+        share = high / (high + deep);
+        plain_step(a, b, step.high);
+        for (c = 0; c < 3; c++) {
+            o->p.high[c] = a->p.high[c] + share * step.high[c];
+            o->offset.high[c] = a->offset.high[c] + share * step.high[c];
+        }
+    } else {
+        low = COPYSIGN(1.0, a->p.high[2]) * a->p.low[2];
+        deep_low = COPYSIGN(1.0, b->p.high[2]) * b->p.low[2];
+        two_sum(high, deep, &sum, &sum_low);
+        sum_low += low + deep_low;
+        share = high / sum;
+        two_product(share, sum, &product, &error);
+        share_low = (((high - product) - error) + (low - share * sum_low)) / sum;
+        ring_step(a, b, &step);
+        for (c = 0; c < 3; c++) {
+            two_product(share, step.high[c], &product, &error);
+            error += share * step.low[c] + share_low * step.high[c];
+            move_word(&a->p, c, product, error, &o->p);
+            move_word(&a->offset, c, product, error, &o->offset);
+        }
     }
     o->p.high[2] = o->p.low[2] = 0.0;
     o->vertex[0] = a->vertex[0];
@@ -94,9 +103,34 @@ static inline double meet_horizon(const struct psc_ring_point *a, const struct p
     return share;
 }
 
+/* Whether z > 0 all over, and no edge is without a length. */
+PSC_LANE int is_whole(const struct psc_receiver_view *view)
+{
+    int i, whole = 1;
+
+    for (i = 0; i < view->count; i++)
+        whole &= view->point[i].p.high[2] > 0.0 && largest(view->edge[i]) > 0.0;
+    return whole;
+}
+
+/* Of such a light: all of it, counterclockwise. */
+PSC_LANE void whole_ring(const struct psc_receiver_view *view, struct psc_ring *ring)
+{
+    const int clockwise = view->clockwise, n = view->count;
+    int k;
+
+    for (k = 0; k < n; k++) {
+        const int from = clockwise && k > 0 ? n - k : k;
+
+        ring->point[k] = view->point + from;
+        scale3(clockwise ? -1.0 : 1.0, view->edge[clockwise ? n - 1 - k : k], ring->edge[k]);
+    }
+    ring->count = n;
+}
+
 /* The part with z >= 0, counterclockwise seen from the receiver, from the first vertex on, without
    edges that have no length. */
-static inline void clip_ring(const struct psc_receiver_view *view, struct psc_ring *ring)
+PSC_LANE void clip_ring(int plain, const struct psc_receiver_view *view, struct psc_ring *ring)
 {
     const int clockwise = view->clockwise, n = view->count;
     int horizon[PSC_MAX_RING], i, k, meets = 0;
@@ -113,7 +147,7 @@ static inline void clip_ring(const struct psc_receiver_view *view, struct psc_ri
         double share = 0.0;
 
         if (crosses)
-            share = meet_horizon(a, b, ring->horizon + meets);
+            share = meet_horizon(plain, a, b, ring->horizon + meets);
         if (high >= 0.0) {
             horizon[ring->count] = high == 0.0 && next < 0.0;
             add_point(ring, a, g, crosses ? flip * share : flip);
@@ -126,7 +160,7 @@ static inline void clip_ring(const struct psc_receiver_view *view, struct psc_ri
     }
     for (i = 0; i < ring->count; i++)
         if (horizon[i]) {
-            const double across = cross2(ring->point[i], ring->point[ring_next(ring, i)]);
+            const double across = cross2(plain, ring->point[i], ring->point[ring_next(ring, i)]);
 
             ring->edge[i][0] = ring->edge[i][1] = 0.0;
             ring->edge[i][2] = MAX(across, 0.0);

@@ -71,14 +71,22 @@ PSC_LANE void sector_place(const struct psc_sector *s, double l, struct psc_sect
 PSC_LANE double atan_quotient(double x, double y, double *difference)
 {
     static const double c[] = {PSC_ATAN_NEAR_F64};
-    double value = c[10], change = 0.0;
+    const double x2 = x * x, y2 = y * y;
+    double even = c[10], odd = c[9], even_change = 0.0, odd_change = 0.0, value, change;
     int i;
 
+    /* f = 1 - x p(x), p = even(x^2) + x odd(x^2): two short chains of steps, not a long one. */
     PSC_UNROLL
-    for (i = 9; i >= 0; i--) {
-        change = change * y + value;
-        value = value * x + c[i];
+    for (i = 8; i > 0; i -= 2) {
+        even_change = even_change * y2 + even;
+        odd_change = odd_change * y2 + odd;
+        even = even * x2 + c[i];
+        odd = odd * x2 + c[i - 1];
     }
+    even_change = even_change * y2 + even;
+    even = even * x2 + c[0];
+    value = even + x * odd;
+    change = odd + (x + y) * (even_change + y * odd_change);
     *difference = -(change * y + value);
     return 1.0 - x * value;
 }
@@ -210,8 +218,8 @@ PSC_LANE void sector_point(const struct psc_sector *s, double l, double v,
     to->x = x * unit;
     to->y = y * unit;
     to->z = z * unit;
-    to->u = unit * outer * twice / (r * wz + (z + r * 0x1p-900));
-    to->w = unit * inner * twice / (r * uz + (z + r * 0x1p-900));
+    to->u = unit * (outer * twice / (r * wz + (z + r * 0x1p-900)));
+    to->w = unit * (inner * twice / (r * uz + (z + r * 0x1p-900)));
 }
 
 /* Shares of the corners that a sampled point is made of: of both ends of the outer edge, then of

@@ -12,6 +12,9 @@ struct psc_sectors {
     struct psc_sector_hit *hit;
     int count, halvings;
     double sum;
+    /* Of a plain build: (D / 64)^2 and L^2, see plain_projection.h, and whether it will not do. */
+    double reach, wide;
+    int doubtful;
 };
 
 /* One end of a sector: U of length 1, what W is higher, and their weights as in psc_sector. */
@@ -28,8 +31,12 @@ struct psc_sector_wide {
 /* |v| for squares that may be less than the smallest number. */
 PSC_LANE double length_of(double x, double y, double z)
 {
-    const double v[3] = {x, y, z}, scale = unit_scale(largest(v));
+    const double v[3] = {x, y, z}, square = (x * x + y * y) + z * z;
+    double scale;
 
+    if (is_fair(square))
+        return SQRT(square);
+    scale = unit_scale(largest(v));
     x *= scale;
     y *= scale;
     z *= scale;
@@ -90,7 +97,7 @@ PSC_LANE double length_of_w(const struct psc_sector_end *end)
 }
 
 /* Whether U and W stay within reach of the nodes; if not, the shares of a and b to cut at. */
-static inline int fits_sector(const struct psc_sector_wide *wide, const struct psc_sector *s,
+PSC_LANE int fits_sector(const struct psc_sector_wide *wide, const struct psc_sector *s,
                               double cut[2])
 {
     const double widest = MAX(s->sine, s->sine_w);
@@ -122,7 +129,7 @@ static inline int fits_sector(const struct psc_sector_wide *wide, const struct p
 }
 
 /* All but the shares up to the nodes; k is not yet a share. */
-static inline void sector_constants(const struct psc_sector_wide *wide, struct psc_sector *s)
+PSC_LANE void sector_constants(const struct psc_sector_wide *wide, struct psc_sector *s)
 {
     const struct psc_sector_end *const a = &wide->a, *const b = &wide->b;
     const double gx = wide->across[0], gy = wide->across[1];
@@ -146,8 +153,8 @@ static inline void sector_constants(const struct psc_sector_wide *wide, struct p
 }
 
 /* A sector that is still too wide when no halvings are left. That takes a polygon that is not
-   convex, as one is seen from within the rounding of its own plane: all that is left to see to is that its
-   numbers are some. */
+   convex, as one is seen from within the rounding of its own plane: all that is left to see to is
+   that its numbers are some. */
 static inline void force_sector(struct psc_sector *s)
 {
     s->versine = MIN(s->versine, 1.0);
@@ -156,31 +163,53 @@ static inline void force_sector(struct psc_sector *s)
     s->sine_more = 0.0;
 }
 
-/* What is left of the fields when the constants are there, as masses. */
-static inline void sector_masses(struct psc_sector *s, double *sum)
+/* Density at an end, and half its derivative inwards; inwards: k, or -k at the second end. */
+PSC_LANE void sector_rise(const struct psc_sector *s, double l, double inwards, double *rise,
+                          double *bend)
 {
     struct psc_sector_place p;
+    double inverse;
 
-    sector_place(s, 0.0, &p);
-    s->rise_a = s->k * p.q / p.ww;
-    s->bend_a = s->k * (p.q1 - p.q * (p.u1 + p.w1 / p.ww)) / p.ww;
-    sector_place(s, 1.0, &p);
-    s->rise_b = s->k * p.q / p.ww;
-    s->bend_b = -s->k * (p.q1 - p.q * (p.u1 + p.w1 / p.ww)) / p.ww;
-    sector_place(s, 0.25, &p);
+    sector_place(s, l, &p);
+    inverse = 1.0 / p.ww;
+    *rise = s->k * p.q * inverse;
+    *bend = inwards * (p.q1 - p.q * (p.u1 + p.w1 * inverse)) * inverse;
+}
+
+/* The integral over each quarter of a sector: all four in the time of one, as vector code. */
+PSC_APART void sector_quarters(const struct psc_sector *restrict s, double *restrict mass)
+{
+    static const double node[4] = {0.25, 0.25, 0.75, 0.75}, step[4] = {-0.25, 0.25, -0.25, 0.25};
+    int i;
+
+    for (i = 0; i < 4; i++) {
+        struct psc_sector_place p;
+
+        sector_place(s, node[i], &p);
+        mass[i] = sector_mass(s, &p, step[i]);
+    }
+}
+
+/* What is left of the fields when the constants are there, as masses. */
+PSC_LANE void sector_masses(struct psc_sector *s, double *sum)
+{
+    double mass[4];
+
+    sector_quarters(s, mass);
+    sector_rise(s, 0.0, s->k, &s->rise_a, &s->bend_a);
+    sector_rise(s, 1.0, -s->k, &s->rise_b, &s->bend_b);
     s->start = *sum;
-    s->quarter = s->start - sector_mass(s, &p, -0.25);
-    s->middle = s->quarter + sector_mass(s, &p, 0.25);
-    sector_place(s, 0.75, &p);
-    s->last = s->middle - sector_mass(s, &p, -0.25);
-    s->end = *sum = s->last + sector_mass(s, &p, 0.25);
+    s->quarter = s->start - mass[0];
+    s->middle = s->quarter + mass[1];
+    s->last = s->middle - mass[2];
+    s->end = *sum = s->last + mass[3];
     /* Where W rises steeply the density does so next to the end alone: a cubic with that bend and
        the mass to the middle would fall again before. */
     s->bend_a = MIN(s->bend_a, 12.0 * (s->middle - s->start) - 4.0 * s->rise_a);
     s->bend_b = MIN(s->bend_b, 12.0 * (s->end - s->middle) - 4.0 * s->rise_b);
 }
 
-static inline void sector_hit(const struct psc_sector_wide *wide, const int corner[4],
+PSC_LANE void sector_hit(const struct psc_sector_wide *wide, const int corner[4],
                               struct psc_sector_hit *hit)
 {
     int i;
@@ -195,9 +224,18 @@ static inline void sector_hit(const struct psc_sector_wide *wide, const int corn
     }
 }
 
-/* Adds a sector, in as many pieces as it needs. */
-static inline void add_sector(struct psc_sectors *to, const struct psc_sector_wide *wide,
-                              const int corner[4])
+/* A sector whose constants are there. */
+PSC_LANE void take_sector(struct psc_sectors *to, const struct psc_sector_wide *wide,
+                          const int corner[4])
+{
+    sector_masses(to->sector + to->count, &to->sum);
+    sector_hit(wide, corner, to->hit + to->count);
+    to->count++;
+}
+
+/* Adds a sector in as many pieces as it needs. */
+static void add_pieces(struct psc_sectors *to, const struct psc_sector_wide *wide,
+                       const int corner[4])
 {
     struct psc_sector_wide stack[PSC_MAX_SECTORS];
     int pending = 1;
@@ -207,7 +245,6 @@ static inline void add_sector(struct psc_sectors *to, const struct psc_sector_wi
         struct psc_sector_wide *const top = stack + pending - 1;
         struct psc_sector *const s = to->sector + to->count;
         double cut[2];
-
         int fits;
 
         sector_constants(top, s);
@@ -223,23 +260,33 @@ static inline void add_sector(struct psc_sectors *to, const struct psc_sector_wi
         } else {
             if (!fits)
                 force_sector(s);
-            sector_masses(s, &to->sum);
-            sector_hit(top, corner, to->hit + to->count);
-            to->count++;
+            take_sector(to, top, corner);
             pending--;
         }
     }
 }
 
-/* From masses to shares. */
-static inline void share_sectors(struct psc_sectors *all, int first)
+/* Adds a sector. */
+PSC_LANE void add_sector(struct psc_sectors *to, const struct psc_sector_wide *wide,
+                         const int corner[4])
+{
+    struct psc_sector *const s = to->sector + to->count;
+    double cut[2];
+
+    sector_constants(wide, s);
+    if (fits_sector(wide, s, cut))
+        take_sector(to, wide, corner);
+    else
+        add_pieces(to, wide, corner);
+}
+
+/* From masses to shares: of all sectors from that number on. */
+PSC_LANE void share_sectors(const struct psc_sectors *all, int first)
 {
     const double inverse = 1.0 / all->sum;
-    int i;
+    struct psc_sector *s;
 
-    for (i = first; i < all->count; i++) {
-        struct psc_sector *const s = all->sector + i;
-
+    for (s = all->sector + first; s < all->sector + all->count; s++) {
         s->k *= inverse;
         s->start *= inverse;
         s->quarter *= inverse;

@@ -3,7 +3,7 @@
 #ifndef PSC_SRC_SECTOR_INVERSE_H
 #define PSC_SRC_SECTOR_INVERSE_H
 
-#include "sector_light.h"
+#include "sector_build.h"
 
 /* Whether a direction is on this side of the receiver's plane and within all edges. */
 static inline int side_holds(const struct psc_sector_light *l, const struct psc_sector_side *side,
@@ -15,8 +15,11 @@ static inline int side_holds(const struct psc_sector_light *l, const struct psc_
     local[1] = dot(side->y, direction);
     local[2] = dot(side->z, direction);
     holds = local[2] > 0.0;
-    for (i = 0; i < side->edges; i++)
-        holds &= dot(l->edge[side->edge + i], local) >= -slack;
+    for (i = 0; i < side->edges; i++) {
+        const double *const g = l->edge[side->edge + i];
+
+        holds &= dot(g, local) >= -slack * length_of(g[0], g[1], g[2]);
+    }
     return holds;
 }
 

@@ -25,7 +25,7 @@ struct psc_sector_light {
     struct psc_sector sector[PSC_MAX_SECTORS];
     struct psc_sector_hit hit[PSC_MAX_SECTORS];
     struct psc_sector_side side[2];
-    double edge[2 * PSC_MAX_RING][3]; /* unit normals of the planes around, inwards; of a side */
+    double edge[2 * PSC_MAX_RING][3]; /* normals of the planes around, inwards; of a side */
     double pivot[3];                  /* the first vertex in world space */
     struct {
         double offset[3], place[2]; /* from there, and on the light's surface */

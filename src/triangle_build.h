@@ -14,7 +14,7 @@ static psc_result exact_triangle_build(psc_sampler *s, const struct psc_request 
     struct psc_polygon_light *l = &s->polygon;
     const struct psc_fan_places at = {vertices + 3, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0};
     struct psc_fan_sums sums = NO_SUMS;
-    struct psc_polygon_places places = {.first = vertices, .place = triangle_places};
+    struct psc_polygon_places places;
     struct psc_triangle_words words;
 
     const psc_result result = psc_check_numbers(request);
@@ -25,10 +25,13 @@ static psc_result exact_triangle_build(psc_sampler *s, const struct psc_request 
     if (!is_finite3(vertices) || !is_finite3(vertices + 3) || !is_finite3(vertices + 6) ||
         !see_polygon(request->position, 3, vertices, &l->view))
         return PSC_ERROR_NOT_FINITE;
+    keep_numbers(l, request, vertices, 9);
     s->visibility = see_horizon(request->normal, &l->view, l->receiver, l->up, l->height);
     triangle_words(&l->view, vertices, 0, 1, 2, &words);
     l->triangles = 0;
     fan_add(l, s->measure, &words, &at, &sums);
+    places.first = vertices;
+    places.place = triangle_places;
     vertex_offsets(vertices, 3, &places);
     return polygon_finish(s, request, &sums, -1.0, &places);
 }
@@ -85,6 +88,7 @@ PSC_LANE void keep_triangle(psc_sampler *s, int seen, const double *position,
     l->area = 0.5 * length;
     l->triangles = 1;
     l->plain = PSC_PLAIN_TRIANGLE;
+    l->numbers = 9;
     copy3(position, l->position);
     copy3(vertex[0], l->corner[0]);
     copy3(vertex[1], l->corner[1]);
@@ -147,13 +151,31 @@ PSC_LANE psc_result plain_area_build(psc_sampler *s, const double *position, con
     return PSC_SUCCESS;
 }
 
-/* The vertices may be where the light keeps them. */
+/* By projected solid angle. */
+static psc_result projected_triangle_build(psc_sampler *s, const struct psc_request *request,
+                                           const double *vertices)
+{
+    struct psc_polygon_places places;
+    psc_result result;
+
+    places.first = vertices;
+    places.place = triangle_places;
+    vertex_offsets(vertices, 3, &places);
+    result = plain_projected_build(s, request, 3, &places);
+    if (result == PSC_PENDING)
+        return exact_triangle_build(s, request, vertices);
+    keep_numbers(&s->polygon, request, vertices, 9);
+    return result;
+}
+
 PSC_LANE psc_result triangle_build(psc_sampler *s, const struct psc_request *request,
                                    const double *vertices)
 {
     const double *const vertex[3] = {vertices, vertices + 3, vertices + 6};
     psc_result result = PSC_PENDING;
 
+    if (s->projected)
+        return projected_triangle_build(s, request, vertices);
     if (s->measure == PSC_MEASURE_SOLID_ANGLE)
         result = plain_triangle_build(s, request->position, request->normal, vertex,
                                       request->one_sided, s->facing);

@@ -91,6 +91,13 @@ PSC_LANE void subtract3(const double a[3], const double b[3], double to[3])
     to[2] = a[2] - b[2];
 }
 
+PSC_LANE void add3(const double a[3], const double b[3], double to[3])
+{
+    to[0] = a[0] + b[0];
+    to[1] = a[1] + b[1];
+    to[2] = a[2] + b[2];
+}
+
 PSC_LANE double dot(const double a[3], const double b[3])
 {
     return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];

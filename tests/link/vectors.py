@@ -39,6 +39,7 @@ LOOPS = [
     ("polygon", r"invert_rectangle_(around|beside|area)", ("base",)),
     ("polygon", r"flat_block_f\d\d", ()),
     ("polygon", r"(solve_sectors|sector_block)_f\d\d", ()),
+    ("polygon", r"sector_quarters", ()),
     ("polygon", r"triangle_wave_f\d\d", ("base",)),
     ("polygon", r"build_(exact_(around|above)|(whole_)?elements)_f\d\d", ("base",)),
     ("polygon", r"(judge_elements|find_(halves|normals))_f\d\d", ("base",)),
@@ -47,7 +48,7 @@ LOOPS = [
 # Those that a compiler may have inlined into what calls them.
 MAY_BE_MISSING = (r"weigh_cuts|wave_(cone|projected)_directions|(fan|plain)_block|triangle_wave"
                   r"|build_|\(judge_")
-DOUBLE_ONLY = r"pdf_|look_|invert_"
+DOUBLE_ONLY = r"pdf_|look_|invert_|sector_quarters"
 
 ARITHMETIC = re.compile(r"v?(?:add|sub|mul|div|sqrt|fn?m(?:add|sub)\d+)(p|s)[sd]$")
 
