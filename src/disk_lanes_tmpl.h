@@ -17,10 +17,12 @@ PSC_LANE void FN(load_element)(const struct psc_wave *wave, int parts, size_t e,
     double sum = 0.0;
     int i;
 
+    PSC_UNROLL
     for (i = 0; i < 3; i++) {
         o->position[i] = wave->position[i][e];
         o->receiver[i] = wave->normal[i][e];
     }
+    PSC_UNROLL
     for (i = 0; i < parts; i++)
         o->geometry[i] = wave->geometry[i][e];
     for (i = 0; i < 3; i++)

@@ -51,9 +51,9 @@ static psc_result build_polygon(psc_sampler *s, const struct psc_request *reques
 }
 #endif
 
-PSC_KERNEL_QUICK(triangle, triangle_quick, FN(triangle_sample), FN(polygon_sample_n), FN(triangle_wave),
-                 build_triangle, NULL, NULL);
-PSC_KERNEL(rectangle, FN(polygon_sample), FN(polygon_sample_n), FN(rectangle_wave),
+PSC_KERNEL_QUICK(triangle, triangle_quick, FN(triangle_sample), FN(polygon_sample_n),
+                 FN(triangle_wave), build_triangle, NULL, NULL);
+PSC_KERNEL(rectangle, FN(any_rectangle_sample), FN(polygon_sample_n), FN(rectangle_wave),
            build_rectangle, rectangle_pdfs, rectangle_inverses);
 PSC_KERNEL(polygon, FN(polygon_sample), FN(polygon_sample_n), FN(pending_wave), build_polygon, NULL,
            NULL);

@@ -162,6 +162,14 @@ static psc_result FN(triangle_sample)(const psc_sampler *s, real u, real v,
                : FN(polygon_sample)(s, u, v, out);
 }
 
+static psc_result FN(any_rectangle_sample)(const psc_sampler *s, real u, real v,
+                                           FN(psc_light_sample) *out)
+{
+    return s->sides > 0 && s->polygon.plain && s->measure == PSC_MEASURE_SOLID_ANGLE
+               ? FN(plain_rectangle_sample)(s, u, v, out)
+               : FN(polygon_sample)(s, u, v, out);
+}
+
 /* ---- Blocks ---- */
 
 /* n samples of one triangle by solid angle; what does not vary is a loop of its own, so that all

@@ -159,15 +159,15 @@ PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *re
         return exact_rectangle_build(s, request, g);
     l->up[0] = l->up[1] = l->up[2] = 0.0;
     if (request->normal) {
-        const double square = dot(request->normal, request->normal);
+        const double square = dot(request->normal, request->normal), size = SQRT(square);
 
         if (!is_plain_normal(square))
             return exact_rectangle_build(s, request, g);
-        seen = (int)see_rectangle_horizon(g, &o, request->normal, square);
+        seen = (int)see_rectangle_horizon(g, &o, request->normal, size);
         if (seen < 0)
             seen = see_exact_rectangle_horizon(request, g);
         copy3(request->normal, l->receiver);
-        scale3(1.0 / SQRT(square), request->normal, l->up);
+        scale3(1.0 / size, request->normal, l->up);
     }
     s->visibility = (psc_case)seen;
     if ((request->one_sided && o.volume > 0.0) ||

@@ -4,15 +4,15 @@
  * seen, built and sampled, and put back. Template: see precision.h.
  */
 PSC_LANE void FN(exact_element)(const struct psc_wave *wave, int area, int has_normal, size_t i,
-                                    real u, real v, struct FN(psc_rectangles) *to,
-                                    struct FN(psc_results) *r)
+                                real u, real v, struct FN(psc_rectangles) *to,
+                                struct FN(psc_results) *r)
 {
     double position[3], normal[3], g[9];
     struct psc_polygon_view view;
     struct psc_rectangle_words words;
     struct psc_rectangle f;
     struct psc_triangle_view seen;
-    double edge_v[3], scaled[3], up[3], height[4], sums[3], length, unit, finite, size;
+    double edge_v[3], scaled[3], up[3], height[4], sums[3], length, unit, finite, size, total;
     real share[2], direction[3], point[3], front[3];
     int c, fit, hidden;
 
@@ -31,7 +31,8 @@ PSC_LANE void FN(exact_element)(const struct psc_wave *wave, int area, int has_n
         sums[c] = -2.0 * seen.normal[c];
     length = __builtin_sqrt(dot(sums, sums));
     to->volume[i] = __builtin_fabs(-2.0 * seen.volume);
-    to->total[i] = area ? 0.5 * length * unit * unit : 2.0 * f.half;
+    total = area ? 0.5 * length * unit * unit : 2.0 * f.half;
+    to->total[i] = f.half > 0.0 ? total : 0.0;
     for (c = 0; c < 3; c++)
         front[c] = (real)(sums[c] * (-1.0 / length));
     r->value[0][i] = direction[0];
@@ -42,7 +43,6 @@ PSC_LANE void FN(exact_element)(const struct psc_wave *wave, int area, int has_n
     /* A NaN fails every comparison, infinity times 0 is one. */
     finite = (dot(position, position) + dot(g, g)) + (dot(g + 3, g + 3) + dot(g + 6, g + 6));
     fit &= (finite * 0.0 + dot(normal, normal) * 0.0 == 0.0);
-    fit &= (f.half > 0.0) & (to->total[i] > 0.0);
     fit &= !has_normal | (largest(normal) > 0.0);
     hidden = (wave->facing == PSC_FACING_ONE) & !(height[0] > 0.0) & !(height[1] > 0.0) &
              !(height[2] > 0.0) & !(height[3] > 0.0);
@@ -59,7 +59,7 @@ PSC_LANE void FN(exact_element)(const struct psc_wave *wave, int area, int has_n
         size_t i;                                                                              \
                                                                                                \
         for (i = 0; i < n; i++)                                                                \
-            FN(exact_element)(wave, area, has_normal, i, u[i], v[i], to, r);               \
+            FN(exact_element)(wave, area, has_normal, i, u[i], v[i], to, r);                   \
     }
 RECTANGLE_WAVE(exact_rectangles_around, 0, 0)
 RECTANGLE_WAVE(exact_rectangles_above, 0, 1)

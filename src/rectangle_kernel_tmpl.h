@@ -78,16 +78,31 @@ static psc_result FN(rectangle_sample)(const psc_sampler *s, real u, real v,
     double distance, cosine;
     int i;
 
-    if (l->plain && !area)
-        FN(plain_rectangle_lane)(&l->plain_rectangle, l->up, 1, u, v, out->surface,
-                                 out->direction, &distance, &cosine);
-    else
-        FN(rectangle_lane)(&l->rectangle, l->up, area, u, v, out->surface, out->direction,
-                           &distance, &cosine);
+    FN(rectangle_lane)(&l->rectangle, l->up, area, u, v, out->surface, out->direction, &distance,
+                       &cosine);
     FN(rectangle_density)(area, l->volume, s->total, s->facing, distance, cosine, &out->pdf,
                           &out->weight);
     FN(rectangle_point)(l->corner[0], l->corner[1], l->edge_v, out->surface, out->point);
     out->distance = (real)(distance * l->unit);
+    for (i = 0; i < 3; i++)
+        out->normal[i] = (real)l->normal[i];
+    return out->weight > K(0.0) ? PSC_SUCCESS : PSC_CULLED;
+}
+
+/* By solid angle of a plain one. */
+static psc_result FN(plain_rectangle_sample)(const psc_sampler *s, real u, real v,
+                                             FN(psc_light_sample) *out)
+{
+    const struct psc_polygon_light *l = &s->polygon;
+    double distance, cosine;
+    int i;
+
+    FN(plain_rectangle_lane)(&l->plain_rectangle, l->up, 1, u, v, out->surface, out->direction,
+                             &distance, &cosine);
+    out->pdf = (real)s->inverse_total;
+    out->weight = (real)(s->total * fan_cosine_f64(s->facing, cosine));
+    FN(rectangle_point)(l->corner[0], l->corner[1], l->edge_v, out->surface, out->point);
+    out->distance = (real)distance;
     for (i = 0; i < 3; i++)
         out->normal[i] = (real)l->normal[i];
     return out->weight > K(0.0) ? PSC_SUCCESS : PSC_CULLED;

@@ -59,46 +59,53 @@ PSC_LANE int see_plain_rectangle(const double position[3], const double *g,
 
 /*
  * Where a rectangle lies to the plane of a receiver: a psc_case, or -1 where rounding would decide,
- * both as numbers that loops over doubles may choose from. The square of the normal's length has
- * to be as is_plain_normal() asks; heights are off by less than 24 u of it times `longest`.
+ * both as numbers that loops over doubles may choose from. size: the length of the normal,
+ * whose square has to be as is_plain_normal() asks. Heights are off by less than 24 u of that times
+ * the longest of corner and edges, which is less than eight times the height over the rectangle.
  */
 PSC_LANE double see_rectangle_horizon(const double *g, const struct psc_rectangle_sight *o,
-                                      const double normal[3], double square)
+                                      const double normal[3], double size)
 {
     const double at = dot(normal, o->corner), u = dot(normal, g + 3), v = dot(normal, o->edge_v);
     const double at_u = at + u, at_v = at + v, at_uv = at_u + v;
     const double low_u = MIN(at, at_u), low_v = MIN(at_v, at_uv), low = MIN(low_u, low_v);
     const double high_u = MAX(at, at_u), high_v = MAX(at_v, at_uv), high = MAX(high_u, high_v);
     const double near_u = MIN(ABS(at), ABS(at_u)), near_v = MIN(ABS(at_v), ABS(at_uv));
-    const double near = MIN(near_u, near_v), slack = 0x1p-47 * SQRT(square * o->longest);
+    const double near = MIN(near_u, near_v), slack = 0x1p-44 * (size * ABS(o->volume));
 
-    return low > slack     ? (double)PSC_CASE_ABOVE
-           : high < -slack ? (double)PSC_CASE_EMPTY
-           : near > slack  ? (double)PSC_CASE_CLIPPED
-                           : -1.0;
+    return low * o->area > slack     ? (double)PSC_CASE_ABOVE
+           : high * o->area < -slack ? (double)PSC_CASE_EMPTY
+           : near * o->area > slack  ? (double)PSC_CASE_CLIPPED
+                                     : -1.0;
 }
 
-/* The line at x, an end of the rectangle. With gap = q^2 + r_0 r_1 + y_0 y_1, q^2 = 1 + x^2, and
-   p = p_0 p_1 the solid angle omega between it and that at 0 has
+/* The line at x >= 0, an end of the rectangle or its mirror image. With q^2 = 1 + x^2, gap = q^2 +
+   r_0 r_1 + y_0 y_1 and p = p_0 p_1 the solid angle omega between it and that at 0 has
        sin omega = x h (r_0 + r_1) / (p gap),   cos omega = (r_0 r_1 + x^2 y_0 y_1) / (p q^2),
    and gap (gap - 2 y_0 y_1) = q^2 (r_0 + r_1)^2. */
 struct psc_rectangle_end {
-    double x, square, r0, r1, sum, under, over; /* gap = q^2 under / over */
+    double x, r0, r1, sum;     /* r_0 + r_1 */
+    double over, under;        /* 1 / gap */
+    double sine, cosine;       /* of omega, times p under */
 };
 
-PSC_LANE void rectangle_end(double x, double yy0, double yy1, double yy,
+PSC_LANE void rectangle_end(double x, double height, double yy0, double yy1, double yy,
                             struct psc_rectangle_end *o)
 {
-    double gap;
+    const double square = 1.0 + x * x;
+    double rr, gap, factor;
 
     o->x = x;
-    o->square = 1.0 + x * x;
-    o->r0 = SQRT(o->square + yy0);
-    o->r1 = SQRT(o->square + yy1);
+    o->r0 = SQRT(square + yy0);
+    o->r1 = SQRT(square + yy1);
     o->sum = o->r0 + o->r1;
-    gap = o->square + (o->r0 * o->r1 + ABS(yy));
-    o->under = yy >= 0.0 ? gap : o->sum * o->sum;
-    o->over = yy >= 0.0 ? o->square : gap;
+    rr = o->r0 * o->r1;
+    gap = square + (rr + ABS(yy));
+    factor = yy >= 0.0 ? gap : o->sum * o->sum;
+    o->over = yy >= 0.0 ? square : gap;
+    o->under = square * factor;
+    o->sine = (x * height) * (o->sum * o->over);
+    o->cosine = (rr + (x * x) * yy) * factor;
 }
 
 /* The solid angle and the constants of the map, but for the cosines from terms of one sign. */
@@ -113,32 +120,29 @@ PSC_LANE void plain_rectangle(const double *g, const struct psc_rectangle_sight 
     const double x1 = x0 + width, y1 = y0 + height;
     const double side = ABS(x0) >= ABS(x1) ? 1.0 : -1.0, far = MAX(ABS(x0), ABS(x1));
     const double near = width - far, yy0 = y0 * y0, yy1 = y1 * y1, yy = y0 * y1;
-    const double planes = SQRT((1.0 + yy0) * (1.0 + yy1)), per_planes = 1.0 / planes;
+    const double planes = SQRT((1.0 + yy0) * (1.0 + yy1));
     struct psc_rectangle_end a, n;
-    double inverse, to_a, to_n, part_a, part_n, cos_a, cos_n, sin_a, sin_n, first, second, f, rest;
+    double inverse, part, cosines, sines, first, second, f, rest;
     int around;
 
-    rectangle_end(far, yy0, yy1, yy, &a);
-    rectangle_end(ABS(near), yy0, yy1, yy, &n);
-    inverse = per_planes / ((a.under * a.square) * (n.under * n.square));
-    to_a = inverse * (n.under * n.square);
-    to_n = inverse * (a.under * a.square);
-    part_a = to_a * a.over;
-    part_n = to_n * n.over;
-    cos_a = (a.r0 * a.r1 + (far * far) * yy) * (a.under * to_a);
-    cos_n = (n.r0 * n.r1 + (near * near) * yy) * (n.under * to_n);
-    sin_a = (far * height) * (a.sum * part_a);
-    sin_n = (n.x * height) * (n.sum * part_n);
-    around = near > 0.0;
+    rectangle_end(far, height, yy0, yy1, yy, &a);
+    rectangle_end(ABS(near), height, yy0, yy1, yy, &n);
+    /* tan(a / 2 + b / 2) = (sin a + sin b) / (cos a + cos b),
+       tan(a / 2 - b / 2) = (cos b - cos a) / (sin a + sin b) */
+    cosines = a.cosine * n.under + n.cosine * a.under;
+    sines = a.sine * n.under + n.sine * a.under;
     first = a.r0 + n.r0;
     second = a.r1 + n.r1;
     f = first * second;
-    o->half = arc_and_rest(
-        around ? cos_a + cos_n : (sin_a + sin_n) * f,
-        around ? sin_a + sin_n
-               : ((height * height) * planes * (part_a * part_n)) *
-                     (width * (far + n.x) * (f + (a.r0 * first + n.r1 * second))),
-        &rest);
+    around = near > 0.0;
+    o->half = arc_and_rest(around ? cosines : sines * f,
+                           around ? sines
+                                  : ((height * height) * (a.over * n.over)) *
+                                        ((width * (far + n.x)) *
+                                         (f + (a.r0 * first + n.r1 * second))),
+                           &rest);
+    inverse = 1.0 / (planes * a.under);
+    part = inverse * a.over;
     scale3(side * (s->area * per_size), g + 3, o->x);
     scale3(s->square_u * per_size, s->edge_v, o->y);
     scale3(COPYSIGN(s->size_u * per_size, s->volume), s->normal, o->up);
@@ -151,11 +155,11 @@ PSC_LANE void plain_rectangle(const double *g, const struct psc_rectangle_sight 
     o->height = height;
     o->r0 = a.r0;
     o->r1 = a.r1;
-    o->sine = sin_a;
-    o->cosine = cos_a;
-    o->least = (height * height) * part_a;
-    o->most = (a.sum * a.sum) * part_a;
-    o->per_step = ((width * height) * a.sum) * (part_a * planes);
+    o->sine = a.sine * inverse;
+    o->cosine = a.cosine * inverse;
+    o->least = (height * height) * part;
+    o->most = (a.sum * a.sum) * part;
+    o->per_step = ((width * height) * a.sum) * (part * planes);
 }
 
 /* For points of the area map, in world space. */

@@ -9,7 +9,8 @@
 
 /* What the loop leaves of each element. */
 struct FN(psc_rectangles) {
-    double distance[PSC_BLOCK], cosine[PSC_BLOCK], volume[PSC_BLOCK], total[PSC_BLOCK];
+    double distance[PSC_BLOCK], cosine[PSC_BLOCK], volume[PSC_BLOCK];
+    double total[PSC_BLOCK]; /* 0: left to the calls for one */
     int32_t status[PSC_BLOCK];
 };
 
@@ -19,10 +20,11 @@ PSC_LANE void load_rectangle(const struct psc_wave *wave, int has_normal, size_t
     int k;
 
     PSC_UNROLL
-    for (k = 0; k < 3; k++) {
+    for (k = 0; k < 3; k++)
         position[k] = wave->position[k][i];
+    PSC_UNROLL
+    for (k = 0; k < 3; k++)
         normal[k] = has_normal ? wave->normal[k][i] : 0.0;
-    }
     PSC_UNROLL
     for (k = 0; k < 9; k++)
         g[k] = wave->geometry[k][i];
@@ -43,11 +45,11 @@ PSC_LANE void FN(plain_element)(const struct psc_wave *wave, int area, int has_n
     fit = see_plain_rectangle(position, g, &seen);
     up[0] = up[1] = up[2] = 0.0;
     if (has_normal) {
-        const double square = dot(normal, normal);
+        const double square = dot(normal, normal), size = __builtin_sqrt(square);
 
-        where = see_rectangle_horizon(g, &seen, normal, square);
+        where = see_rectangle_horizon(g, &seen, normal, size);
         fit &= is_plain_normal(square);
-        scale3(1.0 / __builtin_sqrt(square), normal, up);
+        scale3(1.0 / size, normal, up);
     }
     if (area) {
         plain_words(position, g, &seen, &words);
@@ -112,7 +114,8 @@ static void FN(rectangle_finish)(const struct psc_wave *restrict wave, int area,
                               area ? from->distance[i] : 1.0, from->cosine[i],
                               r->value[PSC_PDF] + i, r->value[PSC_WEIGHT] + i);
     for (i = 0; i < n; i++)
-        r->status[i] = from->status[i] != PSC_SUCCESS     ? from->status[i]
+        r->status[i] = !(from->total[i] > 0.0)            ? PSC_PENDING
+                       : from->status[i] != PSC_SUCCESS   ? from->status[i]
                        : r->value[PSC_WEIGHT][i] > K(0.0) ? PSC_SUCCESS
                                                           : PSC_CULLED;
 }
