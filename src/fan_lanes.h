@@ -58,19 +58,28 @@ PSC_LANE void see_pivot(const double vertex[3], const double position[3], struct
     scale3(o->inverse, o->b, o->unit);
 }
 
-/* The vertices next to B as the receiver sees them, and the edges: from B to A and C, from A to C;
-   each to rounding of itself. */
-struct psc_fan_sides {
-    double a[3], c[3], edge_a[3], edge_c[3], edge_ac[3];
+/* A vertex next to that as the receiver sees it, and the edge to it; each to rounding of itself.
+   Two triangles share it. */
+struct psc_fan_ray {
+    double to[3], spoke[3];
+    double square, size, along, reach2; /* |to|^2, |to|, to . b, |spoke|^2 */
 };
 
+PSC_LANE void measure_ray(const struct psc_fan_pivot *p, struct psc_fan_ray *o)
+{
+    o->square = dot(o->to, o->to);
+    o->size = SQRT(o->square);
+    o->along = dot(p->b, o->to);
+    o->reach2 = dot(o->spoke, o->spoke);
+}
+
 struct psc_fan_sight {
-    double size_a, size_c, ab[3], size_ab; /* |a|, |c|, a x b */
-    double dot_ab, dot_bc, across;         /* (a x b) . (a x c) */
-    double normal[3], volume;              /* (c - b) x (a - b), and b times that */
-    double sine, cosine;                   /* N and D of the solid angle, times |a| |b| |c| */
-    double doubt;                          /* the square of what 8 roundings of may be missing of
-                                              the solid angle */
+    double ab[3], size_ab, across; /* a x b, its length, (a x b) . (a x c) */
+    double normal[3], volume;      /* (c - b) x (a - b), and b times that */
+    double sine, cosine;           /* N and D of the solid angle, times |a| |b| |c| */
+    double far2;                   /* |c - a|^2 */
+    double doubt;                  /* the square of what 8 roundings of may be missing of the solid
+                                      angle */
 };
 
 /*
@@ -86,30 +95,26 @@ struct psc_fan_sight {
  *  - every length is the volume divided by two others, none above the sum of |a|, |b| and |c|: so
  *    that the last line keeps all products, and in float the quotients, clear of the range's ends.
  */
-PSC_LANE int see_fan_triangle(const struct psc_fan_pivot *p, const struct psc_fan_sides *e,
+PSC_LANE int see_fan_triangle(const struct psc_fan_pivot *p, const struct psc_fan_ray *a,
+                              const struct psc_fan_ray *c, const double edge_ac[3],
                               struct psc_fan_sight *o)
 {
-    const double a2 = dot(e->a, e->a), c2 = dot(e->c, e->c), dot_ac = dot(e->a, e->c);
-    const double e2 = dot(e->edge_a, e->edge_a), f2 = dot(e->edge_c, e->edge_c);
-    const double at_b = p->b2 * f2, at_a = a2 * dot(e->edge_ac, e->edge_ac);
-    const double limit = e2 * MAX(at_a, at_b);
-    double ac[3], sizes, reach, square;
+    const double dot_ac = dot(a->to, c->to), far2 = dot(edge_ac, edge_ac);
+    const double at_b = p->b2 * c->reach2, at_a = a->square * far2;
+    const double limit = a->reach2 * MAX(at_a, at_b);
+    const double sizes = (a->size * p->size) * c->size, reach = (a->size + p->size) + c->size;
+    double ac[3], square;
 
-    o->size_a = SQRT(a2);
-    o->size_c = SQRT(c2);
-    sizes = (o->size_a * p->size) * o->size_c;
-    reach = (o->size_a + p->size) + o->size_c;
-    o->dot_ab = dot(e->a, p->b);
-    o->dot_bc = dot(p->b, e->c);
-    cross_rounded(e->edge_c, e->edge_a, o->normal);
+    cross_rounded(c->spoke, a->spoke, o->normal);
     o->volume = dot(p->b, o->normal);
     o->sine = ABS(o->volume);
-    o->cosine = (sizes + o->dot_ab * o->size_c) + (dot_ac * p->size + o->dot_bc * o->size_a);
-    cross_rounded(e->edge_a, p->b, o->ab);
-    cross_rounded(e->a, e->edge_ac, ac);
+    o->cosine = (sizes + a->along * c->size) + (dot_ac * p->size + c->along * a->size);
+    cross_rounded(a->spoke, p->b, o->ab);
+    cross_rounded(a->to, edge_ac, ac);
     o->size_ab = SQRT(dot(o->ab, o->ab));
     o->across = dot(o->ab, ac);
     square = o->cosine * o->cosine + o->sine * o->sine;
+    o->far2 = far2;
     o->doubt = limit / square;
     return (256.0 * (o->sine * o->sine) > limit) & (8.0 * square > sizes * sizes) &
            (o->sine > 0x1p-100 * ((reach * reach) * reach)) & (reach > 0x1p-120) &
@@ -125,19 +130,20 @@ PSC_LANE double half_of_sight(const struct psc_fan_sight *o)
 }
 
 /* Whether the halves of some triangles, of which none is off by more than 8 u times the root of its
-   doubt, add up to less than 48 u of their sum. */
+   doubt, add up to less than 64 u of their sum. */
 PSC_LANE int is_sure_fan(int triangles, double doubts, double halves)
 {
-    return (double)triangles * doubts < 36.0 * (halves * halves);
+    return (double)triangles * doubts < 64.0 * (halves * halves);
 }
 
 /* The constants of the map but for half. Divisions are slow, so that two share one. */
-PSC_LANE void build_ray_fan(const struct psc_fan_pivot *p, const struct psc_fan_sides *e,
-                            const struct psc_fan_sight *o, struct psc_ray_fan_f64 *f)
+PSC_LANE void build_ray_fan(const struct psc_fan_pivot *p, const struct psc_fan_ray *a,
+                            const struct psc_fan_ray *c, const struct psc_fan_sight *o,
+                            struct psc_ray_fan_f64 *f)
 {
-    const double more = o->size_a * p->size + ABS(o->dot_ab);
+    const double more = a->size * p->size + ABS(a->along);
     const double by_more = (o->size_ab * more) * p->inverse4;
-    const double by_volume = (o->size_a * o->sine) * p->inverse4;
+    const double by_volume = (a->size * o->sine) * p->inverse4;
     const double inverse = 1.0 / (by_more * by_volume);
     const double per_more = (by_volume * inverse) * p->inverse4;
     const double per_volume = (by_more * inverse) * p->inverse4;
@@ -147,16 +153,16 @@ PSC_LANE void build_ray_fan(const struct psc_fan_pivot *p, const struct psc_fan_
     double across[3];
 
     f->cos_a = o->across * per_volume;
-    f->near = o->dot_ab >= 0.0 ? tangent : cotangent;
-    f->far = o->dot_ab >= 0.0 ? cotangent : tangent;
+    f->near = a->along >= 0.0 ? tangent : cotangent;
+    f->far = a->along >= 0.0 ? cotangent : tangent;
     scale3(per_ab, o->ab, across);
     scale3(side, o->ab, f->toward_c);
     cross_rounded(p->unit, across, f->toward_a);
     f->per_along = p->b2 * per_ab;
-    f->per_above = (o->size_ab * p->size) * (o->size_a * per_volume);
-    f->slant = dot(e->edge_c, f->toward_a) * p->inverse;
-    f->less_a = 1.0 - o->dot_ab * p->inverse2;
-    f->less_c = 1.0 - o->dot_bc * p->inverse2;
+    f->per_above = (o->size_ab * p->size) * (a->size * per_volume);
+    f->slant = dot(c->spoke, f->toward_a) * p->inverse;
+    f->less_a = 1.0 - a->along * p->inverse2;
+    f->less_c = 1.0 - c->along * p->inverse2;
 }
 
 /* The same constants as other triangles have them. */

@@ -22,27 +22,25 @@ PSC_LANE void load_vertex(const struct psc_ray_fans *f, int i, double to[3])
 }
 
 /* Where a vertex is: above the receiver's plane, below it, or where rounding would decide. Sums of
-   these over the vertices of a light tell how many are where. square: of the normal's length. */
-#define ABOVE 1.0
-#define BELOW 32.0
-#define LEVEL 1024.0
-PSC_LANE double where_is(const double normal[3], double square, const double vertex[3])
+   these over the vertices of a light tell how many are where. height: of the vertex times the length
+   of the normal; square: that of the product of both lengths. */
+#define ABOVE_PLANE 1.0
+#define BELOW_PLANE 32.0
+#define NEAR_PLANE 1024.0
+PSC_LANE double where_is(double height, double square)
 {
-    const double height = dot(normal, vertex);
-    const int clear = height * height > 0x1p-98 * (square * dot(vertex, vertex));
-
-    return !clear ? LEVEL : height > 0.0 ? ABOVE : BELOW;
+    return !(height * height > 0x1p-98 * square) ? NEAR_PLANE
+           : height > 0.0                        ? ABOVE_PLANE
+                                                 : BELOW_PLANE;
 }
 
-/* A, B and C of a triangle of a polygon. */
-PSC_LANE void polygon_sides(const double position[3], const double a[3], const double b[3],
-                            const double c[3], struct psc_fan_sides *o)
+/* A vertex next to B. */
+PSC_LANE void see_ray(const struct psc_fan_pivot *pivot, const double position[3],
+                      const double b[3], const double vertex[3], struct psc_fan_ray *o)
 {
-    subtract3(a, position, o->a);
-    subtract3(c, position, o->c);
-    subtract3(a, b, o->edge_a);
-    subtract3(c, b, o->edge_c);
-    subtract3(c, a, o->edge_ac);
+    subtract3(vertex, position, o->to);
+    subtract3(vertex, b, o->spoke);
+    measure_ray(pivot, o);
 }
 
 PSC_APART void build_fan_step(const struct psc_fan_pivot *pivot, const double position[3],
@@ -54,25 +52,27 @@ PSC_APART void build_fan_step(const struct psc_fan_pivot *pivot, const double po
 
     PSC_KEEP_LOOP
     for (k = first; k < first + PSC_FAN_STEP; k++) {
-        struct psc_fan_sides sides;
+        struct psc_fan_ray ray_a, ray_c;
         struct psc_fan_sight o;
         struct psc_ray_fan_f64 fan;
-        double a[3], b[3], c[3];
+        double a[3], b[3], c[3], far[3];
         int fit;
 
         load_vertex(f, k + 1, a);
         load_vertex(f, 0, b);
         load_vertex(f, k + 2, c);
-        polygon_sides(position, a, b, c, &sides);
-        fit = see_fan_triangle(pivot, &sides, &o);
-        build_ray_fan(pivot, &sides, &o, &fan);
+        see_ray(pivot, position, b, a, &ray_a);
+        see_ray(pivot, position, b, c, &ray_c);
+        subtract3(c, a, far);
+        fit = see_fan_triangle(pivot, &ray_a, &ray_c, far, &o);
+        build_ray_fan(pivot, &ray_a, &ray_c, &o, &fan);
         fan.half = half_of_sight(&o);
         store_ray_fan(f, k, &fan);
         to->normal[0][k] = o.normal[0];
         to->normal[1][k] = o.normal[1];
         to->normal[2][k] = o.normal[2];
         to->doubt[k] = o.doubt;
-        to->where[k] = where_is(normal, square, sides.c);
+        to->where[k] = where_is(dot(normal, ray_c.to), square * ray_c.square);
         to->side[k] = !fit ? 0.0 : o.volume > 0.0 ? 1.0 : -1.0;
     }
 }
@@ -89,7 +89,8 @@ PSC_APART void place_fan_step(const struct psc_fan_frame *frame, double parts, i
 
     PSC_KEEP_LOOP
     for (k = first; k < first + PSC_FAN_STEP; k++) {
-        double b[3], one[3], a[3], c[3], next[3], spoke[3];
+        double b[3], one[3], a[3], c[3], next[3], spoke[3], far[3], further[3];
+        double place_a[2], place_c[2], place_far[2], place_further[2];
         int belongs;
 
         load_vertex(f, 0, b);
@@ -97,12 +98,21 @@ PSC_APART void place_fan_step(const struct psc_fan_frame *frame, double parts, i
         load_vertex(f, k + 1, a);
         load_vertex(f, k + 2, c);
         load_vertex(f, k + 3, next);
+        subtract3(c, a, far);
+        subtract3(next, c, further);
         subtract3(one, b, one);
-        belongs = fan_belongs(frame, b, one, a, c, next);
-        to->side[k] = belongs ? to->side[k] : 0.0;
+        subtract3(a, b, a);
         subtract3(c, b, spoke);
-        f->place[0][k + 2] = dot(frame->first, spoke);
-        f->place[1][k + 2] = dot(frame->last, spoke);
+        belongs = is_in_plane(frame, c, spoke);
+        place_on(frame, a, place_a);
+        place_on(frame, spoke, place_c);
+        place_on(frame, far, place_far);
+        place_on(frame, further, place_further);
+        belongs &= fan_turns(frame, place_a, place_c, place_far, place_further, dot(one, one),
+                             dot(spoke, spoke), dot(far, far), dot(further, further));
+        to->side[k] = belongs ? to->side[k] : 0.0;
+        f->place[0][k + 2] = place_c[0];
+        f->place[1][k + 2] = place_c[1];
         l->below[k] *= inverse;
         l->per_share[k] = parts / f->half[k];
     }
@@ -183,11 +193,12 @@ PSC_LANE psc_result plain_polygon_build(psc_sampler *s, const struct psc_request
         if (!(square > 0x1p-320 && square < 0x1p320))
             return PSC_PENDING;
         subtract3(vertices + 3, request->position, one);
-        where += where_is(normal, square, pivot.b) + where_is(normal, square, one);
-        seen_by = where >= LEVEL                   ? see_polygon_horizon(request, vertices)
-                  : where == count * ABOVE         ? PSC_CASE_ABOVE
-                  : where == count * BELOW         ? PSC_CASE_EMPTY
-                                                   : PSC_CASE_CLIPPED;
+        where += where_is(dot(normal, pivot.b), square * pivot.b2) +
+                 where_is(dot(normal, one), square * dot(one, one));
+        seen_by = where >= NEAR_PLANE            ? see_polygon_horizon(request, vertices)
+                  : where == count * ABOVE_PLANE ? PSC_CASE_ABOVE
+                  : where == count * BELOW_PLANE ? PSC_CASE_EMPTY
+                                                 : PSC_CASE_CLIPPED;
         copy3(normal, l->receiver);
         scale3(1.0 / SQRT(square), normal, l->up);
     }
@@ -211,10 +222,6 @@ PSC_LANE psc_result plain_polygon_build(psc_sampler *s, const struct psc_request
     s->split = 1.0;
     return PSC_SUCCESS;
 }
-#undef ABOVE
-#undef BELOW
-#undef LEVEL
-
 /* The numbers may be any: they are looked at where that build does not take them. */
 PSC_LANE psc_result polygon_build(psc_sampler *s, const struct psc_request *request,
                                   const double *vertices)

@@ -27,6 +27,7 @@
 #include "pending_tmpl.h"
 #include "triangle_wave_tmpl.h"
 #include "rectangle_wave_tmpl.h"
+#include "fan_wave_tmpl.h"
 
 #if PSC_REAL_BITS == 64
 #include "rectangle_directions.h"
@@ -55,5 +56,5 @@ PSC_KERNEL_QUICK(triangle, triangle_quick, FN(triangle_sample), FN(polygon_sampl
                  FN(triangle_wave), build_triangle, NULL, NULL);
 PSC_KERNEL(rectangle, FN(any_rectangle_sample), FN(polygon_sample_n), FN(rectangle_wave),
            build_rectangle, rectangle_pdfs, rectangle_inverses);
-PSC_KERNEL(polygon, FN(polygon_sample), FN(polygon_sample_n), FN(pending_wave), build_polygon, NULL,
+PSC_KERNEL(polygon, FN(polygon_sample), FN(polygon_sample_n), FN(polygon_wave), build_polygon, NULL,
            NULL);

@@ -15,6 +15,7 @@
    its surface, point = v0 + (point . first) (v1 - v0) + (point . last) (v(last) - v0). */
 struct psc_fan_frame {
     double front[3], first[3], last[3];
+    double square; /* of the area of the parallelogram of these two edges */
 };
 
 /* sums: of the normals of the triangles, which are turned to the back. Returns whether the edges at
@@ -23,26 +24,34 @@ PSC_LANE int find_frame(const double sums[3], const double first[3], const doubl
                         struct psc_fan_frame *o)
 {
     const double inverse = -1.0 / SQRT(dot(sums, sums));
-    double n[3], square, per_square;
+    double n[3], area, per_area;
 
     scale3(inverse, sums, o->front);
     cross_rounded(first, last, n);
-    square = dot(n, n);
-    per_square = 1.0 / square;
-    cross_rounded(last, n, o->first);
-    cross_rounded(n, first, o->last);
-    scale3(per_square, o->first, o->first);
-    scale3(per_square, o->last, o->last);
-    return square > 0x1p-20 * (dot(first, first) * dot(last, last));
+    area = dot(o->front, n);
+    per_area = 1.0 / area;
+    o->square = area * area;
+    cross_rounded(last, o->front, o->first);
+    cross_rounded(o->front, first, o->last);
+    scale3(per_area, o->first, o->first);
+    scale3(per_area, o->last, o->last);
+    return (area > 0.0) & (o->square > 0x1p-20 * (dot(first, first) * dot(last, last)));
 }
 
-/* sine is the product of two lengths, whose squares are given, and a sine: whether that is not
-   below 0 by more than half of what is allowed. */
-PSC_LANE int turns_on(double sine, double first2, double second2)
+/* The coordinates of a spoke or an edge. */
+PSC_LANE void place_on(const struct psc_fan_frame *f, const double spoke[3], double place[2])
+{
+    place[0] = dot(f->first, spoke);
+    place[1] = dot(f->last, spoke);
+}
+
+/* The area between two edges of those squared lengths, in units of that of the frame: whether it is
+   not below 0 by more than half of what is allowed. */
+PSC_LANE int turns_on(const struct psc_fan_frame *f, double area, double first2, double second2)
 {
     const double slack = 0.25 * (PSC_POLYGON_TOLERANCE * PSC_POLYGON_TOLERANCE);
 
-    return sine * ABS(sine) >= -slack * (first2 * second2);
+    return area * ABS(area) * f->square >= -slack * (first2 * second2);
 }
 
 /* Whether a vertex, at the end of that spoke, is in the plane. */
@@ -55,26 +64,18 @@ PSC_LANE int is_in_plane(const struct psc_fan_frame *f, const double vertex[3],
 }
 
 /*
- * Whether a triangle A, B, C of a fan about B belongs to the polygon: C is in the plane; A, B, C
- * turn as the polygon does, and so do B, v1, C, and the edges that meet at C. That is all, if v1 is
- * in the plane: the corners at v1 and the last vertex are those of the first and the last triangle,
- * and the corner at B that of B, v1 and the last vertex. first is the spoke from B to v1.
+ * Whether a triangle A, B, C of a fan about B turns as a convex polygon does; so do B, v1, C, and the
+ * edges that meet at C. With all vertices in the plane that is all: the corners at v1 and the last
+ * vertex are those of the first and the last triangle, and the corner at B that of B, v1 and the last
+ * vertex. a and c are the coordinates of A and C, far and further those of A C and the edge after;
+ * first2, spoke2, far2 and further2 the squared lengths of B v1, B C, and these two.
  */
-PSC_LANE int fan_belongs(const struct psc_fan_frame *f, const double b[3], const double first[3],
-                         const double a[3], const double c[3], const double next[3])
+PSC_LANE int fan_turns(const struct psc_fan_frame *f, const double a[2], const double c[2],
+                       const double far[2], const double further[2], double first2, double spoke2,
+                       double far2, double further2)
 {
-    double spoke_a[3], spoke_c[3], far[3], further[3], across[3], beside[3], corner[3];
-
-    subtract3(a, b, spoke_a);
-    subtract3(c, b, spoke_c);
-    subtract3(c, a, far);
-    subtract3(next, c, further);
-    cross_rounded(spoke_a, spoke_c, across);
-    cross_rounded(first, spoke_c, beside);
-    cross_rounded(far, further, corner);
-    return is_in_plane(f, c, spoke_c) & (dot(f->front, across) > 0.0) &
-           turns_on(dot(f->front, beside), dot(first, first), dot(spoke_c, spoke_c)) &
-           turns_on(dot(f->front, corner), dot(far, far), dot(further, further));
+    return (a[0] * c[1] - a[1] * c[0] > 0.0) & turns_on(f, c[1], first2, spoke2) &
+           turns_on(f, far[0] * further[1] - far[1] * further[0], far2, further2);
 }
 
 #endif
