@@ -15,12 +15,16 @@ struct FN(psc_fan_sums) {
     double square[PSC_BLOCK], size[PSC_BLOCK], along[PSC_BLOCK], reach2[PSC_BLOCK];
     double b2[PSC_BLOCK], b_size[PSC_BLOCK]; /* of the pivot */
 
-    /* The psc_fan_frame, 1 / parts, and by vertex the coordinates of it, those of the edge that ends
-       there and the square of that. */
+    /* The psc_fan_frame, and 1 / parts. */
     double front[3][PSC_BLOCK], first[3][PSC_BLOCK], last[3][PSC_BLOCK], area2[PSC_BLOCK];
-    double inverse[PSC_BLOCK], place[PSC_MAX_VERTICES][2][PSC_BLOCK];
-    double edge[PSC_MAX_VERTICES][2][PSC_BLOCK], edge2[PSC_MAX_VERTICES][PSC_BLOCK];
-    double spoke2[PSC_MAX_VERTICES][PSC_BLOCK];
+    double inverse[PSC_BLOCK];
+};
+
+/* What judging corners takes of a vertex: its coordinates and those of the edge that ends there,
+   the squares of its spoke and of the edge; and whether it is in the plane, as 0 or 1. */
+struct FN(psc_fan_corners) {
+    double place[2][PSC_BLOCK], edge[2][PSC_BLOCK], spoke2[PSC_BLOCK], edge2[PSC_BLOCK];
+    double flat[PSC_BLOCK];
 };
 
 /* The triangles that samples fall to. */
@@ -208,9 +212,10 @@ PSC_LANE void FN(load_frame)(const struct FN(psc_fan_sums) *from, size_t i,
     frame->square = from->area2[i];
 }
 
-/* Whether a vertex from 1 on is in the plane, and what judging corners takes of it. */
+/* Of a vertex from 1 on. */
 PSC_APART void FN(place_vertices)(const struct psc_wave *restrict wave, int vertex,
-                                  struct FN(psc_fan_sums) *restrict to)
+                                  const struct FN(psc_fan_sums) *restrict from,
+                                  struct FN(psc_fan_corners) *restrict to)
 {
     const size_t n = wave->count;
     size_t i;
@@ -219,41 +224,46 @@ PSC_APART void FN(place_vertices)(const struct psc_wave *restrict wave, int vert
         double b[3], before[3], v[3], spoke[3], edge[3], at[2], along[2];
         struct psc_fan_frame frame;
 
-        FN(load_frame)(to, i, &frame);
+        FN(load_frame)(from, i, &frame);
         FN(load_wave_vertex)(wave, 0, i, b);
         FN(load_wave_vertex)(wave, vertex - 1, i, before);
         FN(load_wave_vertex)(wave, vertex, i, v);
         subtract3(v, b, spoke);
         subtract3(v, before, edge);
-        to->side[i] = is_in_plane(&frame, v, spoke) ? to->side[i] : UNFIT;
         place_on(&frame, spoke, at);
         place_on(&frame, edge, along);
-        to->place[vertex][0][i] = at[0];
-        to->place[vertex][1][i] = at[1];
-        to->edge[vertex][0][i] = along[0];
-        to->edge[vertex][1][i] = along[1];
-        to->edge2[vertex][i] = dot(edge, edge);
-        to->spoke2[vertex][i] = dot(spoke, spoke);
+        to->place[0][i] = at[0];
+        to->place[1][i] = at[1];
+        to->edge[0][i] = along[0];
+        to->edge[1][i] = along[1];
+        to->spoke2[i] = dot(spoke, spoke);
+        to->edge2[i] = dot(edge, edge);
+        to->flat[i] = is_in_plane(&frame, v, spoke) ? 1.0 : 0.0;
     }
 }
 
-/* Whether triangle k turns as a convex polygon does. */
-PSC_APART void FN(judge_fans)(int k, int triangles, size_t n, struct FN(psc_fan_sums) *restrict to)
+/* Whether the triangle between two vertices turns as a convex polygon does. one: vertex 1; next: the
+   vertex after, or the last itself, whose edge does not turn into itself. */
+PSC_APART void FN(judge_fans)(const struct FN(psc_fan_corners) *restrict one,
+                              const struct FN(psc_fan_corners) *restrict from_a,
+                              const struct FN(psc_fan_corners) *restrict from_c,
+                              const struct FN(psc_fan_corners) *restrict next, size_t n,
+                              struct FN(psc_fan_sums) *restrict to)
 {
-    const int after = MIN(k + 3, triangles + 1); /* the last edge does not turn into itself */
     size_t i;
 
     for (i = 0; i < n; i++) {
-        const double a[2] = {to->place[k + 1][0][i], to->place[k + 1][1][i]};
-        const double c[2] = {to->place[k + 2][0][i], to->place[k + 2][1][i]};
-        const double far[2] = {to->edge[k + 2][0][i], to->edge[k + 2][1][i]};
-        const double further[2] = {to->edge[after][0][i], to->edge[after][1][i]};
+        const double a[2] = {from_a->place[0][i], from_a->place[1][i]};
+        const double c[2] = {from_c->place[0][i], from_c->place[1][i]};
+        const double far[2] = {from_c->edge[0][i], from_c->edge[1][i]};
+        const double further[2] = {next->edge[0][i], next->edge[1][i]};
         struct psc_fan_frame frame;
         int turns;
 
         frame.square = to->area2[i];
-        turns = fan_turns(&frame, a, c, far, further, to->spoke2[1][i], to->spoke2[k + 2][i],
-                          to->edge2[k + 2][i], to->edge2[after][i]);
+        turns = fan_turns(&frame, a, c, far, further, one->spoke2[i], from_c->spoke2[i],
+                          from_c->edge2[i], next->edge2[i]);
+        turns &= (one->flat[i] * from_c->flat[i] != 0.0);
         to->side[i] = turns ? to->side[i] : UNFIT;
     }
 }
@@ -477,6 +487,7 @@ static void FN(polygon_wave)(const struct psc_wave *wave, const real *u, const r
     const int vertices = wave->parts / 3, triangles = vertices - 2;
     const int above = wave->facing == PSC_FACING_ONE;
     struct FN(psc_picked_fans) picked;
+    struct FN(psc_fan_corners) corners[PSC_MAX_VERTICES];
     struct FN(psc_fan_sums) sums;
     int k;
 
@@ -489,9 +500,10 @@ static void FN(polygon_wave)(const struct psc_wave *wave, const real *u, const r
         (above ? FN(see_fans_above) : FN(see_fans_around))(wave, k, &sums);
     FN(frame_fans)(wave, triangles, &sums);
     for (k = 1; k < vertices; k++)
-        FN(place_vertices)(wave, k, &sums);
+        FN(place_vertices)(wave, k, &sums, corners + k);
     for (k = 0; k < triangles; k++)
-        FN(judge_fans)(k, triangles, wave->count, &sums);
+        FN(judge_fans)(corners + 1, corners + k + 1, corners + k + 2,
+                       corners + MIN(k + 3, triangles + 1), wave->count, &sums);
     memset(picked.number, 0, sizeof picked.number);
     memset(picked.below, 0, sizeof picked.below);
     memcpy(picked.own_half, sums.half[0], sizeof picked.own_half);

@@ -33,6 +33,12 @@ LOOPS = [
     ("disk", r"fibre_wave_(place_)?(whole|clipped)\w*", ()),
     ("disk", r"place_(whole|clipped)(_brief)?_f\d\d", ()),
     ("polygon", r"(fan|plain)_block_f\d\d", ()),
+    ("polygon", r"ray_block_f\d\d", ()),
+    ("polygon", r"build_fan_step", ()),
+    ("polygon", r"place_fan_step", ()),
+    ("polygon", r"(start|see)_fans_(around|above)_f\d\d", ()),
+    ("polygon", r"(frame|judge)_fans_f\d\d|place_vertices_f\d\d", ()),
+    ("polygon", r"build_picked_(around|above)_f\d\d", ("base",)),
     ("polygon", r"(rectangle|rectangle_area|plain_rectangle)_block(_whole)?_f\d\d", ()),
     ("polygon", r"(plain|exact)_(rectangles|areas)_(around|above)(_whole)?_f\d\d", ("base",)),
     ("polygon", r"pdf_rectangle(_area)?", ("base",)),
@@ -48,7 +54,7 @@ LOOPS = [
 # Those that a compiler may have inlined into what calls them.
 MAY_BE_MISSING = (r"weigh_cuts|wave_(cone|projected)_directions|(fan|plain)_block|triangle_wave"
                   r"|build_|\(judge_")
-DOUBLE_ONLY = r"pdf_|look_|invert_|sector_quarters"
+DOUBLE_ONLY = r"pdf_|look_|invert_|sector_quarters|(build|place)_fan_step"
 
 ARITHMETIC = re.compile(r"v?(?:add|sub|mul|div|sqrt|fn?m(?:add|sub)\d+)(p|s)[sd]$")
 
