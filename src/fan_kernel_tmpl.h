@@ -31,7 +31,7 @@ PSC_LANE void FN(ray_direction)(const struct FN(psc_ray_fan) *f, const real b[3]
 }
 
 /* Where the direction meets the triangle: see fan_hit(). No share is more than rounding outside
-   [0, 1], and |b| is 1: the sum is taken with the coordinates of a and c, not with the rest for b. */
+   [0, 1], and |b| is 1: the sum is of the coordinates of a and c, without the rest for b. */
 PSC_LANE void FN(ray_hit)(const struct FN(psc_ray_fan) *f, const struct FN(psc_spot) *p,
                           real *share_a, real *share_c, real *distance)
 {

@@ -77,7 +77,6 @@ struct psc_fan_sight {
     double ab[3], size_ab, across; /* a x b, its length, (a x b) . (a x c) */
     double normal[3], volume;      /* (c - b) x (a - b), and b times that */
     double sine, cosine;           /* N and D of the solid angle, times |a| |b| |c| */
-    double far2;                   /* |c - a|^2 */
     double doubt;                  /* the square of what 8 roundings of may be missing of the solid
                                       angle */
 };
@@ -85,10 +84,10 @@ struct psc_fan_sight {
 /*
  * Returns whether rounding does no harm to the triangle's own. u being a rounding error,
  *  - the volume is off by less than 8 u |b| |edge_a| |edge_c|, and a x b and a x c by less than
- *    4 u of the lengths' products. Where the volume is a sixteenth of that and of |a| |edge_a|
- *    |edge_ac|, what is then missing to a corner is small along every side that ends there: for it
- *    is by as much as the angle there is small that a volume falls below the elevation of b, and
- *    that is bounded by the doubt of all triangles together (is_sure_fan());
+ *    4 u of the lengths' products. The volume has the sine of the angle at B or A as a factor; a
+ *    place between the far side's ends moves by no more than that times the volume's error. So a
+ *    sixteenth of the products will do for this triangle, where the doubts of all triangles
+ *    together keep the elevation of b from being small (is_sure_fan());
  *  - the cosine D of the solid angle [OS83], 1 + cos ab + cos ac + cos bc, is off by less than 6 u;
  *    with N the sine, N^2 + D^2 = 2 (1 + cos ab) (1 + cos ac) (1 + cos bc), so that where that is
  *    1/8 no side is near half a turn, and the angle of (D, N) is off by less than 17 u;
@@ -114,7 +113,6 @@ PSC_LANE int see_fan_triangle(const struct psc_fan_pivot *p, const struct psc_fa
     o->size_ab = SQRT(dot(o->ab, o->ab));
     o->across = dot(o->ab, ac);
     square = o->cosine * o->cosine + o->sine * o->sine;
-    o->far2 = far2;
     o->doubt = limit / square;
     return (256.0 * (o->sine * o->sine) > limit) & (8.0 * square > sizes * sizes) &
            (o->sine > 0x1p-100 * ((reach * reach) * reach)) & (reach > 0x1p-120) &

@@ -22,8 +22,8 @@ PSC_LANE void load_vertex(const struct psc_ray_fans *f, int i, double to[3])
 }
 
 /* Where a vertex is: above the receiver's plane, below it, or where rounding would decide. Sums of
-   these over the vertices of a light tell how many are where. height: of the vertex times the length
-   of the normal; square: that of the product of both lengths. */
+   these over the vertices of a light tell how many are where. height: the product of vertex and
+   normal; square: that of their lengths' product. */
 #define ABOVE_PLANE 1.0
 #define BELOW_PLANE 32.0
 #define NEAR_PLANE 1024.0

@@ -239,7 +239,7 @@ PSC_LANE void surface_places(const double first[3], const double second[3], cons
 
 /* A fan about the first vertex, seen from its front where volumes are positive. */
 PSC_APART psc_result exact_polygon_build(psc_sampler *s, const struct psc_request *request,
-                                  const double *vertices)
+                                         const double *vertices)
 {
     struct psc_polygon_light *l = &s->polygon;
     const int count = request->numbers / 3;

@@ -311,7 +311,7 @@ static void FN(polygon_side_block)(const psc_sampler *s, int side, size_t n, con
                                    const real *v, int surface, struct FN(psc_results) *r)
 {
     const FN(triangle_block) block =
-        s->measure == PSC_MEASURE_AREA ? FN(flat_block)
+        s->measure == PSC_MEASURE_AREA      ? FN(flat_block)
         : s->polygon.plain == PSC_PLAIN_FAN ? FN(ray_block)
         : s->polygon.plain                  ? FN(plain_block)
                                             : FN(fan_block);

@@ -64,11 +64,11 @@ PSC_LANE int is_in_plane(const struct psc_fan_frame *f, const double vertex[3],
 }
 
 /*
- * Whether a triangle A, B, C of a fan about B turns as a convex polygon does; so do B, v1, C, and the
- * edges that meet at C. With all vertices in the plane that is all: the corners at v1 and the last
- * vertex are those of the first and the last triangle, and the corner at B that of B, v1 and the last
- * vertex. a and c are the coordinates of A and C, far and further those of A C and the edge after;
- * first2, spoke2, far2 and further2 the squared lengths of B v1, B C, and these two.
+ * Whether a triangle A, B, C of a fan about B turns as a convex polygon does; so do B, v1, C, and
+ * the edges that meet at C. With all vertices in the plane that is all: the corners at v1 and the
+ * last vertex are those of the first and the last triangle, and the corner at B that of B, v1 and
+ * the last vertex. a and c are the coordinates of A and C, far and further those of A C and the
+ * edge after; first2, spoke2, far2 and further2 the squared lengths of B v1, B C, and these two.
  */
 PSC_LANE int fan_turns(const struct psc_fan_frame *f, const double a[2], const double c[2],
                        const double far[2], const double further[2], double first2, double spoke2,
