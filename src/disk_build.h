@@ -5,6 +5,7 @@
 
 #include "disk_table.h"
 #include "disk_view.h"
+#include "ellipsoid_see.h"
 
 #include "ellipse_fit_tmpl.h"
 #include "span_fit_tmpl.h"

@@ -72,7 +72,8 @@ static inline int look_laid(const struct psc_disk_light *l, const double directi
 
 /* The cosine and sine of eta, see ellipse_cdf.h; returns how far out the direction is, (x / a)^2 +
    (y / b)^2. */
-static inline double eccentric(const struct psc_ellipse *e, const struct seen *d, double *c, double *s)
+static inline double eccentric(const struct psc_ellipse *e, const struct seen *d, double *c,
+                               double *s)
 {
     const double p = d->x / e->a, q = d->y / e->b, square = p * p + q * q, r = SQRT(square);
 

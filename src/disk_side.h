@@ -128,8 +128,8 @@ struct psc_disk_light {
     struct psc_horizon horizon;
     struct psc_fibres fibres[2];
 
-    /* What this was built with, for questions in other measures than that; not without a normal, but
-       by area. */
+    /* What this was built with, for questions in other measures: of receivers with a normal, and by
+       area. */
     double given_position[3], given_normal[3], given[PSC_DISK_NUMBERS];
     int numbers;
 };

@@ -13,6 +13,7 @@
 #include "sampler.h"
 #include "table.h"
 
+#include "disk_constants_tmpl.h"
 #include "disk_map_tmpl.h"
 
 /* The row with the nearest beta / alpha. */

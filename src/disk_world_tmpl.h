@@ -4,8 +4,8 @@
  * direction meets the light. Lane functions. Template: see precision.h.
  */
 
-PSC_LANE void FN(disk_direction)(const struct FN(psc_disk_world) *w, const struct FN(psc_disk_point) *p,
-                                 real direction[3])
+PSC_LANE void FN(disk_direction)(const struct FN(psc_disk_world) *w,
+                                 const struct FN(psc_disk_point) *p, real direction[3])
 {
     int i;
 
