@@ -176,8 +176,8 @@ static inline int fibres_build(struct psc_fibres *f, const struct psc_ellipse *e
     switch (f->rule) {
 #define BUILD_CASE(i, m, most)                                                                  \
     case i:                                                                                     \
-        series_build(m, psc_rule_f64_##m.c, psc_rule_f64_##m.s, psc_rule_f64_##m.per_s,         \
-                     psc_rule_f64_##m.column, psc_rule_f64_##m.power, f);                       \
+        series_of_one(m, psc_rule_f64_##m.c, psc_rule_f64_##m.s, psc_rule_f64_##m.per_s,        \
+                      psc_rule_f64_##m.column, psc_rule_f64_##m.power, f);                      \
         return f->total > 0.0;
         PSC_FIBRE_RULES(BUILD_CASE)
 #undef BUILD_CASE

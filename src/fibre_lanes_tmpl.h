@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /*
- * Fibres of many lights at once, with a series each: built, found and placed in loops. Statement by
- * statement the loops do what series_build(), fit_starts() and find_fibre() do for one light, so
- * the bits are the same. Template: see precision.h.
+ * Fibres of many lights at once, with a series each: built, found and placed in loops, by the lane
+ * functions that do it for one light. Template: see precision.h.
  */
 
 #define FIBRE_LANES 32
@@ -40,177 +39,22 @@ struct FN(fibre_lanes) {
     real depth[FIBRE_LANES], uz[FIBRE_LANES], vz[FIBRE_LANES], margin[FIBRE_LANES];
 };
 
-/* What the loops read of a sheaf. */
-PSC_LANE struct psc_sheaf_f64 FN(lane_sheaf)(const struct FN(fibre_lanes) *k, size_t e, int clipped)
+PSC_LANE struct psc_series_lot FN(lot_of)(struct FN(fibre_lanes) *k, size_t count)
 {
-    struct psc_sheaf_f64 f;
+    const struct psc_series_lot lot = {
+        count, FIBRE_LANES, k->sin_m, k->cos_m, k->shear, k->width, k->nz, k->nf, k->end, k->total,
+        k->start_steps, k->most_start_steps, k->mean, k->start, k->even, k->odd, k->even_integral,
+        k->odd_integral, k->even_slope, k->odd_slope, {k->values[0], k->values[1]},
+        {k->waves[0], k->waves[1]}, k->place, k->number};
 
-    f.sin_m = k->sin_m[e];
-    f.cos_m = k->cos_m[e];
-    f.shear = k->shear[e];
-    f.width = k->width[e];
-    f.nz = k->nz[e];
-    f.nf = k->nf[e];
-    f.end = k->end[e];
-    f.cos_end = k->cos_end[e];
-    f.clipped = clipped;
-    return f;
+    return lot;
 }
 
-PSC_LANE struct series_view_f64 FN(lane_view)(const struct FN(fibre_lanes) *k, size_t e)
+PSC_LANE struct series_view_f64 FN(lane_view)(struct FN(fibre_lanes) *k, size_t e)
 {
-    const struct series_view_f64 view = {
-        FIBRE_LANES,         k->mean + e,       k->start + e,
-        k->even + e,         k->odd + e,        k->even_integral + e,
-        k->odd_integral + e, k->even_slope + e, k->odd_slope + e};
+    const struct psc_series_lot lot = FN(lot_of)(k, 0);
 
-    return view;
-}
-
-/* even_fit() of both functions. */
-PSC_LANE void FN(lane_fits)(int n, const double *column, const double *power, size_t count,
-                            struct FN(fibre_lanes) *restrict k)
-{
-    double *const to[2] = {k->even, k->odd};
-    size_t e;
-    int side, i, j;
-
-    for (side = 0; side < 2; side++) {
-        for (i = 0; i < n; i++)
-            for (e = 0; e < count; e++) {
-                double sum = 0.0;
-
-                PSC_UNROLL
-                for (j = 0; j < n; j++)
-                    sum += k->values[side][(size_t)j * FIBRE_LANES + e] * column[j * n + i];
-                k->waves[side][(size_t)i * FIBRE_LANES + e] = sum * (i > 0 ? 1.0 : 0.5) * (2.0 / n);
-            }
-        for (i = 0; i < n; i++)
-            for (e = 0; e < count; e++) {
-                double sum = 0.0;
-
-                PSC_UNROLL
-                for (j = 0; j < n; j++)
-                    sum += k->waves[side][(size_t)j * FIBRE_LANES + e] * power[j * n + i];
-                to[side][(size_t)i * FIBRE_LANES + e] = sum;
-            }
-    }
-}
-
-/* series_build() without the starts */
-PSC_LANE void FN(lane_series)(int n, int clipped, const double *c, const double *s,
-                              const double *per_s, const double *column, const double *power,
-                              size_t count, struct FN(fibre_lanes) *restrict k)
-{
-    size_t e;
-    int j;
-
-    for (j = 0; j < n; j++)
-        for (e = 0; e < count; e++) {
-            const struct psc_sheaf_f64 f = FN(lane_sheaf)(k, e, clipped);
-            struct psc_fibre_f64 o;
-            double even;
-
-            fibre_shape_f64(&f, s[j], c[j], &o);
-            even = 0.5 * f.sin_m * o.weight * per_s[j];
-            k->values[0][(size_t)j * FIBRE_LANES + e] = even;
-            k->values[1][(size_t)j * FIBRE_LANES + e] = even / o.k;
-        }
-    FN(lane_fits)(n, column, power, count, k);
-    for (j = 0; j < n; j++)
-        for (e = 0; e < count; e++) {
-            k->even[(size_t)j * FIBRE_LANES + e] *= k->nz[e];
-            k->odd[(size_t)j * FIBRE_LANES + e] *= k->nf[e] * k->sin_m[e];
-        }
-    for (e = 0; e < count; e++)
-        integrate_series(n, FIBRE_LANES, k->even + e, k->odd + e, k->even_integral + e,
-                         k->odd_integral + e, k->mean + e);
-    for (e = 0; e < count; e++) {
-        const struct series_view_f64 q = FN(lane_view)(k, e);
-        struct fibre_arc_f64 end;
-        double whole;
-
-        arc_of_f64(k->end[e], &end);
-        whole = clipped ? series_integral_f64(n, &q, 1.0, &end) : PSC_PI * k->mean[e];
-        if (clipped)
-            k->total[e] = whole;
-        k->number[e] = 1.0 / whole;
-    }
-    for (j = 0; j < n; j++)
-        for (e = 0; e < count; e++) {
-            const size_t at = (size_t)j * FIBRE_LANES + e;
-
-            k->even[at] *= k->number[e];
-            k->odd[at] *= k->number[e];
-            k->even_integral[at] *= k->number[e];
-            k->odd_integral[at] *= k->number[e];
-        }
-    for (e = 0; e < count; e++)
-        k->mean[e] *= k->number[e];
-    for (j = 0; j < n; j++)
-        for (e = 0; e < count; e++) {
-            const size_t at = (size_t)j * FIBRE_LANES + e, next = at + FIBRE_LANES;
-
-            k->even_slope[at] = j < n - 1 ? (j + 1) * k->even[next] : 0.0;
-            k->odd_slope[at] = j < n - 1 ? (j + 1) * k->odd[next] : 0.0;
-        }
-}
-
-/* fit_starts() */
-PSC_LANE void FN(lane_starts)(int n, int clipped, size_t count,
-                              struct FN(fibre_lanes) *restrict k)
-{
-    enum { HALF = PSC_START_TERMS, BOTH = 2 * HALF };
-    const double *const model = psc_start_model + clipped * PSC_MODEL_TERMS * BOTH;
-    const double *const powers[2] = {psc_start_powers, psc_start_powers + clipped * HALF * HALF};
-    size_t e;
-    int i, j, half;
-
-    for (i = 0; i < BOTH; i++) {
-        const int lower = i >= HALF, cut = lower && clipped;
-        const int from = lower && !clipped ? i - HALF : i;
-        const double root = psc_start_root[from], given = psc_start_share[from];
-        const double sign = lower && !clipped ? -1.0 : 1.0;
-
-        for (e = 0; e < count; e++) {
-            const struct psc_sheaf_f64 f = FN(lane_sheaf)(k, e, clipped);
-            const double t = model_variable(&f, clipped), unit = clipped ? f.end : 1.0;
-            double x = 0.0;
-
-            PSC_UNROLL
-            for (j = PSC_MODEL_TERMS - 1; j >= 0; j--)
-                x = x * t + model[j * BOTH + i];
-            x *= root * unit;
-            k->number[e] = cut ? f.end - x : x;
-        }
-        for (j = 0; j < k->most_start_steps; j++)
-            for (e = 0; e < count; e++) {
-                const struct series_view_f64 q = FN(lane_view)(k, e);
-                const double share = cut ? 1.0 - given : given;
-                struct fibre_arc_f64 at;
-                double next;
-
-                arc_of_f64(k->number[e], &at);
-                next = k->number[e] + series_step_f64(n, &q, sign, k->end[e], share, &at);
-                k->number[e] = k->start_steps[e] > j + 0.5 ? next : k->number[e];
-            }
-        for (e = 0; e < count; e++) {
-            const double x = cut ? k->end[e] - k->number[e] : k->number[e];
-
-            k->place[(size_t)i * FIBRE_LANES + e] = x / root;
-        }
-    }
-    for (half = 0; half < 2; half++)
-        for (i = 0; i < HALF; i++)
-            for (e = 0; e < count; e++) {
-                const double *const x = k->place + (size_t)(half * HALF) * FIBRE_LANES + e;
-                double sum = 0.0;
-
-                PSC_UNROLL
-                for (j = 0; j < HALF; j++)
-                    sum += x[(size_t)j * FIBRE_LANES] * powers[half][j * HALF + i];
-                k->start[(size_t)(half * HALF + i) * FIBRE_LANES + e] = sum;
-            }
+    return lot_view(&lot, e);
 }
 
 #if PSC_REAL_BITS == 32
@@ -334,16 +178,18 @@ PSC_LANE void FN(lane_place)(int clipped, int brief, size_t count,
 #define LANE_LOOPS(i, m)                                                                           \
     static void FN(fibre_wave_whole_##i)(struct FN(fibre_lanes) *k, size_t count)                  \
     {                                                                                              \
-        FN(lane_series)(m, 0, psc_rule_f64_##m.c, psc_rule_f64_##m.s, psc_rule_f64_##m.per_s,      \
-                        psc_rule_f64_##m.column, psc_rule_f64_##m.power, count, k);                \
-        FN(lane_starts)(m, 0, count, k);                                                           \
+        const struct psc_series_lot lot = FN(lot_of)(k, count);                                    \
+                                                                                                   \
+        series_build(m, 0, psc_rule_f64_##m.c, psc_rule_f64_##m.s, psc_rule_f64_##m.per_s,         \
+                     psc_rule_f64_##m.column, psc_rule_f64_##m.power, &lot);                       \
         LANE_FIND_WHOLE(m, count, k);                                                              \
     }                                                                                              \
     static void FN(fibre_wave_clipped_##i)(struct FN(fibre_lanes) *k, size_t count)                \
     {                                                                                              \
-        FN(lane_series)(m, 1, psc_rule_f64_##m.c, psc_rule_f64_##m.s, psc_rule_f64_##m.per_s,      \
-                        psc_rule_f64_##m.column, psc_rule_f64_##m.power, count, k);                \
-        FN(lane_starts)(m, 1, count, k);                                                           \
+        const struct psc_series_lot lot = FN(lot_of)(k, count);                                    \
+                                                                                                   \
+        series_build(m, 1, psc_rule_f64_##m.c, psc_rule_f64_##m.s, psc_rule_f64_##m.per_s,         \
+                     psc_rule_f64_##m.column, psc_rule_f64_##m.power, &lot);                       \
         FN(lane_find)(m, 1, count, k);                                                             \
     }
 LANE_LOOPS(0, 4)
