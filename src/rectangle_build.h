@@ -164,6 +164,8 @@ PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *re
         if (!is_plain_normal(square))
             return exact_rectangle_build(s, request, g);
         seen = (int)see_rectangle_horizon(g, &o, request->normal, size);
+        if (seen < 0 && s->facing == PSC_FACING_ONE) /* as wavefronts do */
+            return exact_rectangle_build(s, request, g);
         if (seen < 0)
             seen = see_exact_rectangle_horizon(request, g);
         copy3(request->normal, l->receiver);

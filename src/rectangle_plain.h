@@ -18,7 +18,7 @@ struct psc_rectangle_sight {
     double normal[3], volume;    /* edge_u x edge_v, and the corner times that */
     double square_u, square_n;   /* of the lengths of edge_u and normal */
     double size_u, area;         /* those lengths */
-    double square, longest;      /* of the corner's length, and of it or an edge's, which is most */
+    double longest;              /* the square of the corner's length or an edge's, which is most */
 };
 
 /*
@@ -27,7 +27,9 @@ struct psc_rectangle_sight {
  *  - the normal is off by less than 2 u |e| |f| and the volume by less than 6 u |c| |e| |f|: at a
  *    height z over the plane of an eighth of |c| at least, by 48 u of itself;
  *  - the axes are off by less than 8 u, and the foot of the corner in them by less than 8 u |c|,
- *    which turns what is seen no more than rounding of its directions;
+ *    which is 64 u z at most; as all of it is farther than z, its density z / r^3 and with it the
+ *    solid angle move by less than three times as much of themselves, of which sweeps find a
+ *    fourth;
  *  - as |e| and |f| are less than 8 z too, the local coordinates are below 16 z, and squares leave
  *    room for all products.
  */
@@ -36,7 +38,7 @@ PSC_LANE int see_plain_rectangle(const double position[3], const double *g,
 {
     const double *const u = g + 3, *const v = g + 6;
     const double uv = dot(u, v), vv = dot(v, v);
-    double least;
+    double corner, least;
 
     o->square_u = dot(u, u);
     subtract3(g, position, o->corner);
@@ -48,10 +50,10 @@ PSC_LANE int see_plain_rectangle(const double position[3], const double *g,
     o->size_u = SQRT(o->square_u);
     o->area = SQRT(o->square_n);
 
-    o->square = dot(o->corner, o->corner);
+    corner = dot(o->corner, o->corner);
     least = MIN(o->square_u, vv);
     o->longest = MAX(o->square_u, vv);
-    o->longest = MAX(o->longest, o->square);
+    o->longest = MAX(o->longest, corner);
     return 0x1p42 * (uv * uv) <= o->square_u * vv &&
            64.0 * (o->volume * o->volume) > o->square_n * o->longest && least > 0x1p-240 &&
            o->longest < 0x1p240;
