@@ -20,9 +20,9 @@
 #endif
 
 /* A function whose loop is to stay apart from the loop around its call: gcc 12 tries to make that
-   one vector code, too, and goes on with shorter vectors. */
+   one vector code, too, and goes on with shorter vectors. Not all that include it need call it. */
 #if defined(__GNUC__)
-#define PSC_APART static __attribute__((noinline))
+#define PSC_APART static __attribute__((noinline, unused))
 #else
 #define PSC_APART static
 #endif
