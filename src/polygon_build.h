@@ -84,18 +84,15 @@ PSC_LANE void fan_add(struct psc_polygon_light *l, psc_measure measure,
     double part;
     int i;
 
-    if (measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE)
-        see_volume(&w->b, &w->edge_c, &w->edge_a, &seen);
-    else
-        see_triangle(w, &seen);
+    see_triangle(w, &seen);
     for (i = 0; i < 3; i++)
         sums->normal[i] += seen.normal[i];
-    if (measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE)
-        sums->volume += seen.volume;
-    if (measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE || !(seen.half > 0.0))
+    if (!(seen.half > 0.0))
         return;
     sums->volume += seen.volume;
     sums->half += seen.half;
+    if (measure == PSC_MEASURE_PROJECTED_SOLID_ANGLE)
+        return;
     fan_build(&seen, &w->b, &w->edge_c, l->fan + l->triangles);
     for (i = 0; i < 3; i++) {
         face->pivot[i] = at->pivot[i];

@@ -132,7 +132,7 @@ PSC_LANE int project_view(int plain, const struct psc_projection *what, int both
         struct psc_sector_side *const at = o->side + sides;
 
         if (side == 1)
-            mirror_view(view);
+            mirror_view(plain, view);
         if (whole)
             whole_ring(view, &ring);
         else

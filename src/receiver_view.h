@@ -215,7 +215,7 @@ static inline void see_from_receiver(const struct psc_polygon_view *view, const 
 }
 
 /* The same from below the receiver's plane, mirrored: z is downwards. */
-static inline void mirror_view(struct psc_receiver_view *view)
+PSC_LANE void mirror_view(int plain, struct psc_receiver_view *view)
 {
     int i, c;
 
@@ -226,9 +226,11 @@ static inline void mirror_view(struct psc_receiver_view *view)
         struct psc_ring_point *const p = view->point + i;
 
         p->p.high[2] = 0.0 - p->p.high[2];
-        p->p.low[2] = 0.0 - p->p.low[2];
         p->offset.high[2] = 0.0 - p->offset.high[2];
-        p->offset.low[2] = 0.0 - p->offset.low[2];
+        if (!plain) {
+            p->p.low[2] = 0.0 - p->p.low[2];
+            p->offset.low[2] = 0.0 - p->offset.low[2];
+        }
         /* A vector product does not mirror as the vectors do. */
         view->edge[i][0] = 0.0 - view->edge[i][0];
         view->edge[i][1] = 0.0 - view->edge[i][1];

@@ -131,27 +131,21 @@ PSC_LANE double sector_step(const struct psc_sector *s, const struct psc_sector_
  * share that it should. Near the end the density may vanish as a square does, so that powers up to
  * the third matter: of a x + b x^2 + c x^3 the first two are those of the end, the third meets the
  * mass to the middle. Were one of them all, it would give x; sums of their inverses are at most
- * 1.6 times too large, which a step of Halley's leaves little of.
+ * 1.6 times too large, of which a step of Halley's leaves so little that what the cubic is off by
+ * is more.
  */
 PSC_LANE double sector_start(double a, double b, double half, double mass)
 {
     const double c = 8.0 * half - (4.0 * a + 2.0 * b);
     const double square = MAX(b, 0.0) * mass, cube = MAX(c, 0.0) * mass * mass;
     const double slope = a + (__builtin_sqrt(square) + rough_cbrt(cube));
-    double x = mass / MAX(slope, DBL_MIN);
-    int i;
+    const double far = mass / MAX(slope, DBL_MIN), x = MIN(far, 0.5);
+    const double value = ((c * x + b) * x + a) * x - mass;
+    const double first = (3.0 * c * x + 2.0 * b) * x + a, half_second = 3.0 * c * x + b;
+    const double denominator = first * first - value * half_second;
+    const double near = x - value * first / MAX(denominator, DBL_MIN);
 
-    x = MIN(x, 0.5);
-    PSC_UNROLL
-    for (i = 0; i < 2; i++) {
-        const double value = ((c * x + b) * x + a) * x - mass;
-        const double first = (3.0 * c * x + 2.0 * b) * x + a, half_second = 3.0 * c * x + b;
-        const double denominator = first * first - value * half_second;
-
-        x -= value * first / MAX(denominator, DBL_MIN);
-        x = MIN(MAX(x, 0.0), 0.5);
-    }
-    return x;
+    return MIN(MAX(near, 0.0), 0.5);
 }
 
 /* What shares of a side are off by in any case. */

