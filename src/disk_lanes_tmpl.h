@@ -63,7 +63,7 @@ PSC_LANE void FN(wave_receiver)(const struct FN(psc_element) *from, struct FN(ps
 /* The cone of element e; w has what is the light's own. */
 PSC_LANE void FN(wave_cone)(const struct FN(psc_element) *from, enum psc_disk_map map,
                             const struct psc_outline *o, double unit, double able, size_t e,
-                            struct FN(psc_disk_world) *w, struct FN(psc_disk_views) *restrict to)
+                            struct FN(psc_disk_world) *w, struct FN(psc_disk_views) *to)
 {
     const struct psc_ellipse *cone = &o->seen;
     const double total =
@@ -89,7 +89,7 @@ PSC_LANE void FN(wave_cone)(const struct FN(psc_element) *from, enum psc_disk_ma
 /* The same of a light by area. */
 PSC_LANE void FN(wave_area)(const struct FN(psc_element) *from, const double frame[3][3],
                             const struct psc_laid *f, double unit, double able, size_t e,
-                            struct FN(psc_disk_world) *w, struct FN(psc_disk_views) *restrict to)
+                            struct FN(psc_disk_world) *w, struct FN(psc_disk_views) *to)
 {
     int i;
 
@@ -108,7 +108,7 @@ PSC_LANE void FN(wave_area)(const struct FN(psc_element) *from, const double fra
 }
 
 PSC_LANE void FN(view_disk)(int area, const struct psc_wave *wave, enum psc_disk_map map, size_t e,
-                            struct FN(psc_disk_views) *restrict to)
+                            struct FN(psc_disk_views) *to)
 {
     struct FN(psc_disk_world) w;
     struct FN(psc_element) from;
@@ -142,7 +142,7 @@ PSC_LANE void FN(view_disk)(int area, const struct psc_wave *wave, enum psc_disk
 }
 
 PSC_LANE void FN(view_elliptical)(int area, const struct psc_wave *wave, enum psc_disk_map map,
-                                  size_t e, struct FN(psc_disk_views) *restrict to)
+                                  size_t e, struct FN(psc_disk_views) *to)
 {
     struct FN(psc_disk_world) w;
     struct FN(psc_element) from;
@@ -177,7 +177,7 @@ PSC_LANE void FN(view_elliptical)(int area, const struct psc_wave *wave, enum ps
 
 /* From outside. */
 PSC_LANE void FN(view_ellipsoid)(const struct psc_wave *wave, enum psc_disk_map map, size_t e,
-                                 struct FN(psc_disk_views) *restrict to)
+                                 struct FN(psc_disk_views) *to)
 {
     struct FN(psc_disk_world) w;
     struct FN(psc_element) from;
