@@ -24,7 +24,7 @@ static inline void horizon_of_frame(const struct psc_ellipse *e, const double no
     h->margin = (h->x * h->x + h->y * h->y) - h->z * h->z;
 }
 
-/* A circular disk with its own normal, as see_disk() has it; N has its largest component in
+/* A circular disk with its own normal, as face_disk() has it; N has its largest component in
    [1,2). */
 static inline void disk_horizon(const struct psc_wide offset[3], const double normal[3],
                                 double radius, const struct psc_outline *o,

@@ -81,26 +81,28 @@ PSC_LANE void lay_ellipse(const struct psc_ellipse_look *o, double frame[3][3], 
 /* The outline of what face_ellipse() left. If `many`, in a loop. */
 PSC_LANE void look_at_ellipse(int many, struct psc_ellipse_look *o)
 {
-    struct psc_wide foot[2][3], s, t, square;
-    double high[3], up[3], excess;
+    struct psc_wide across[2][3], s, t, square;
+    double high[3], up[3], foot[3], per;
     int i;
 
-    /* the foot is (-foot[0].n, foot[1].n) over n.n in the unit disk */
-    scaled_cross(o->axes[1], o->offset, foot[0]);
-    scaled_cross(o->axes[0], o->offset, foot[1]);
+    scaled_cross(o->axes[1], o->offset, across[0]);
+    scaled_cross(o->axes[0], o->offset, across[1]);
     PSC_UNROLL
     for (i = 0; i < 3; i++) {
-        foot[0][i] = wide_times(o->shrink, foot[0][i]);
-        foot[1][i] = wide_times(o->shrink, foot[1][i]);
+        across[0][i] = wide_times(o->shrink, across[0][i]);
+        across[1][i] = wide_times(o->shrink, across[1][i]);
         high[i] = o->offset[i].high;
         up[i] = o->facing * o->outward[i];
     }
-    s = wide_dot(foot[0], o->n);
-    t = wide_dot(foot[1], o->n);
+    s = wide_negative(wide_dot(across[0], o->n));
+    t = wide_dot(across[1], o->n);
     square = wide_sum(wide_square(s), wide_square(t));
-    excess = wide_sum(square, wide_negative(wide_square(o->nn))).high / (o->nn.high * o->nn.high);
+    per = 1.0 / o->nn.high;
+    foot[0] = s.high * per;
+    foot[1] = t.high * per;
+    foot[2] = wide_sum(square, wide_negative(wide_square(o->nn))).high * per * per;
     see_elliptical(o->axes[0], o->axes[1], up, o->parallelogram, o->facing, high, o->height,
-                   &excess, many, &o->outline);
+                   foot, many, &o->outline);
     o->seen = o->outline.seen.bt;
 }
 

@@ -39,15 +39,15 @@ struct psc_plate {
 };
 
 /* With the conjugate semi-axes g1, g2, side (g1 x g2) = area normal, at a height below the centre.
-   `excess` is f^2 / A^2 - 1, which needs products in two words next to the rim; if NULL, one word
-   has to do. */
+   `foot` has the place of the foot in the unit disk, turned round, and f^2 / A^2 - 1, all from
+   products in two words; if NULL, one word has to do. */
 PSC_LANE void set_plate(const double g1[3], const double g2[3], const double normal[3], double area,
-                        double side, const double offset[3], double height, const double *excess,
+                        double side, const double offset[3], double height, const double *foot,
                         struct psc_plate *k)
 {
     /* so that the squares of squares of a small light are numbers */
     const double unit = unit_scale(MAX(largest(g1), largest(g2))), square = unit * unit;
-    double c, s, major, minor, per, per_out, per_a, u, v, x, y, out, foot;
+    double c, s, major, minor, per, per_out, per_a, u, v, x, y, out, length;
     int i;
 
     /* the semi-axes that are perpendicular, and their places in the unit disk */
@@ -68,21 +68,21 @@ PSC_LANE void set_plate(const double g1[3], const double g2[3], const double nor
     /* turned towards the foot, which is at (x, y), and at (u, v) in the unit disk; from a foot in
        the centre, towards any point of the rim */
     x = dot(offset, k->axis[0]);
-    y = dot(offset, k->axis[1]);
     u = x * per;
-    v = y / minor;
+    v = foot ? side * (c * foot[1] - s * foot[0]) : dot(offset, k->axis[1]) / minor;
+    y = v * minor;
     k->f = SQRT(x * x + y * y);
     out = SQRT(u * u + v * v);
-    k->kappa = excess ? *excess : (out - 1.0) * (out + 1.0);
+    k->kappa = foot ? foot[2] : (out - 1.0) * (out + 1.0);
     x = k->f > 0.0 ? x : major;
     u = k->f > 0.0 ? u : 1.0;
-    foot = k->f > 0.0 ? k->f : major;
+    length = k->f > 0.0 ? k->f : major;
     out = k->f > 0.0 ? out : 1.0;
-    k->per_foot = 1.0 / foot;
+    k->per_foot = 1.0 / length;
     per_out = 1.0 / out;
     c = x * k->per_foot;
     s = y * k->per_foot;
-    k->a = foot * per_out;
+    k->a = length * per_out;
     per_a = out * k->per_foot;
     k->p = (minor - major) * (minor + major) * ((u * per_out) * (v * per_out)) * per_a;
     k->q = area * per_a;

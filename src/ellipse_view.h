@@ -80,11 +80,11 @@ PSC_LANE void straighten(const double *z, double v[3])
  * (q^2 + lambda), the last column has the direction (x, -tau x, f h), and a boost along
  * (A, p') / L in the coordinates of the plate takes c there. Two columns perpendicular to it are
  * left, a triangular matrix with entries that are sums of one sign; its singular values and vectors
- * are the rest. See set_plate() for `excess`; if `many`, this is in a loop.
+ * are the rest. See set_plate() for `foot`; if `many`, this is in a loop.
  */
 PSC_LANE void see_elliptical(const double g1[3], const double g2[3], const double normal[3],
                              double area, double side, const double offset[3], double height,
-                             const double *excess, int many, struct psc_outline *o)
+                             const double *foot, int many, struct psc_outline *o)
 {
     struct psc_ellipse *e = &o->seen;
     struct psc_plate k;
@@ -93,7 +93,7 @@ PSC_LANE void see_elliptical(const double g1[3], const double g2[3], const doubl
     double c1, s1, c2, s2, cl, sl, cr, sr;
     int i;
 
-    set_plate(g1, g2, normal, area, side, offset, height, excess, &k);
+    set_plate(g1, g2, normal, area, side, offset, height, foot, &k);
     x = plate_root(&k, many);
     lambda = x + height * height;
     reach = SQRT(lambda);
