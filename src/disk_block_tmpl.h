@@ -76,7 +76,7 @@ SPAN_RULES(SPAN_BLOCK)
         struct FN(psc_disk_world) w;                                                               \
         size_t i;                                                                                  \
                                                                                                    \
-        FN(disk_world)(s, &w);                                                                     \
+        FN(flat_world)(s, &w);                                                                     \
         for (i = 0; i < n; i++) {                                                                  \
             struct FN(psc_disk_point) p;                                                           \
                                                                                                    \

@@ -102,7 +102,7 @@ static inline void solve_point(const psc_sampler *s, double u, double v,
     } else {
         struct psc_disk_world_f64 w;
 
-        disk_world_f64(s, &w);
+        flat_world_f64(s, &w);
         area_lane_f64(s->disk.map, &w, u, v, p);
     }
 }
