@@ -46,8 +46,7 @@ static void FN(fetch_vertices)(const struct psc_wave *wave, struct FN(psc_picked
     int c;
 
     for (i = 0; i < wave->count; i++) {
-        const double *const *const a = (const double *const *)wave->geometry +
-                                       3 * ((int)to->number[i] + 1);
+        const real *const *const a = wave->geometry + 3 * ((int)to->number[i] + 1);
 
         for (c = 0; c < 3; c++) {
             to->vertex_a[c][i] = a[c][i];
