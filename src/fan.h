@@ -27,15 +27,6 @@
     X(cos_ab) X(cos_bc)                                                               \
     X(per_a) X(per_b) X(per_c) /* 1 / |a| and so on */
 
-/* What is left of that for triangles that plain_fan() builds, in units of |b|: in the frame above
-   a is (1 - less_a, 1 / per_along, 0) and c (1 - less_c, slant, 1 / per_above); sin alpha and the
-   root of gap are 1. */
-#define PSC_PLAIN_FAN_FIELDS(X, V)          \
-    X(half) X(cos_a) X(near) X(far)         \
-    V(b) V(toward_a) V(toward_c)            \
-    X(per_along) X(per_above) X(slant)      \
-    X(less_a) X(less_c)
-
 /* The same triangle in world space: B, the edges to A and C, and the vertices' coordinates on the
    light's surface. */
 #define PSC_FACE_FIELDS(X, V)           \
@@ -49,8 +40,6 @@
 #define PSC_VECTOR_F32(name) float name[3];
 struct psc_fan_f64 { PSC_FAN_FIELDS(PSC_NUMBER_F64, PSC_VECTOR_F64) };
 struct psc_fan_f32 { PSC_FAN_FIELDS(PSC_NUMBER_F32, PSC_VECTOR_F32) };
-struct psc_plain_fan_f64 { PSC_PLAIN_FAN_FIELDS(PSC_NUMBER_F64, PSC_VECTOR_F64) };
-struct psc_plain_fan_f32 { PSC_PLAIN_FAN_FIELDS(PSC_NUMBER_F32, PSC_VECTOR_F32) };
 struct psc_face_f64 { PSC_FACE_FIELDS(PSC_NUMBER_F64, PSC_VECTOR_F64) };
 struct psc_face_f32 { PSC_FACE_FIELDS(PSC_NUMBER_F32, PSC_VECTOR_F32) };
 #undef PSC_NUMBER_F64
@@ -81,14 +70,6 @@ PSC_LANE struct psc_fan_f32 psc_fan_round(const struct psc_fan_f64 *from)
     r.per_a = psc_bounded(from->per_a);
     r.per_b = psc_bounded(from->per_b);
     r.per_c = psc_bounded(from->per_c);
-    return r;
-}
-
-PSC_LANE struct psc_plain_fan_f32 psc_plain_fan_round(const struct psc_plain_fan_f64 *from)
-{
-    struct psc_plain_fan_f32 r;
-
-    PSC_PLAIN_FAN_FIELDS(PSC_ROUND_NUMBER, PSC_ROUND_VECTOR)
     return r;
 }
 

@@ -44,7 +44,7 @@ PSC_LANE struct psc_ray_fan_f32 psc_ray_fan_round(const struct psc_ray_fan_f64 *
 /* The vertex that the triangles of a fan share, as the receiver sees it. */
 struct psc_fan_pivot {
     double b[3], b2, size, inverse, unit[3]; /* |b|^2, |b|, 1 / |b|, b / |b| */
-    double inverse2, inverse4;               /* powers of 1 / |b| */
+    double inverse2;                         /* the square of 1 / |b| */
 };
 
 PSC_LANE void see_pivot(const double vertex[3], const double position[3], struct psc_fan_pivot *o)
@@ -54,7 +54,6 @@ PSC_LANE void see_pivot(const double vertex[3], const double position[3], struct
     o->size = SQRT(o->b2);
     o->inverse = 1.0 / o->size;
     o->inverse2 = o->inverse * o->inverse;
-    o->inverse4 = o->inverse2 * o->inverse2;
     scale3(o->inverse, o->b, o->unit);
 }
 
@@ -77,14 +76,15 @@ struct psc_fan_sight {
     double ab[3], size_ab, across; /* a x b, its length, (a x b) . (a x c) */
     double normal[3], volume;      /* (c - b) x (a - b), and b times that */
     double sine, cosine;           /* N and D of the solid angle, times |a| |b| |c| */
+    double limit;                  /* the square of what the volume is relative to */
     double doubt;                  /* the square of what 8 roundings of may be missing of the solid
                                       angle */
 };
 
 /*
  * Returns whether rounding does no harm to the triangle's own. u being a rounding error,
- *  - the volume is off by less than 8 u |b| |edge_a| |edge_c|, and a x b and a x c by less than
- *    4 u of the lengths' products. The volume has the sine of the angle at B or A as a factor; a
+ *  - a x b and a x c are off by less than 4 u of the lengths' products, and the volume, which is
+ *    the edge to C times the first, by less than 8 u |b| |edge_a| |edge_c|. The volume has the sine of the angle at B or A as a factor; a
  *    place between the far side's ends moves by no more than that times the volume's error. So a
  *    sixteenth of the products will do for this triangle, where the doubts of all triangles
  *    together keep the elevation of b from being small (is_sure_fan());
@@ -100,31 +100,36 @@ PSC_LANE int see_fan_triangle(const struct psc_fan_pivot *p, const struct psc_fa
 {
     const double dot_ac = dot(a->to, c->to), far2 = dot(edge_ac, edge_ac);
     const double at_b = p->b2 * c->reach2, at_a = a->square * far2;
-    const double limit = a->reach2 * MAX(at_a, at_b);
     const double sizes = (a->size * p->size) * c->size, reach = (a->size + p->size) + c->size;
     double ac[3], square;
 
     cross_rounded(c->spoke, a->spoke, o->normal);
-    o->volume = dot(p->b, o->normal);
-    o->sine = ABS(o->volume);
-    o->cosine = (sizes + a->along * c->size) + (dot_ac * p->size + c->along * a->size);
     cross_rounded(a->spoke, p->b, o->ab);
     cross_rounded(a->to, edge_ac, ac);
+    o->volume = dot(c->spoke, o->ab);
+    o->sine = ABS(o->volume);
+    o->cosine = (sizes + a->along * c->size) + (dot_ac * p->size + c->along * a->size);
     o->size_ab = SQRT(dot(o->ab, o->ab));
     o->across = dot(o->ab, ac);
     square = o->cosine * o->cosine + o->sine * o->sine;
-    o->doubt = limit / square;
-    return (256.0 * (o->sine * o->sine) > limit) & (8.0 * square > sizes * sizes) &
+    o->limit = a->reach2 * MAX(at_a, at_b);
+    o->doubt = o->limit / square;
+    return (256.0 * (o->sine * o->sine) > o->limit) & (8.0 * square > sizes * sizes) &
            (o->sine > 0x1p-100 * ((reach * reach) * reach)) & (reach > 0x1p-120) &
            (reach < 0x1p120);
 }
 
 /* Half the solid angle. */
-PSC_LANE double half_of_sight(const struct psc_fan_sight *o)
+PSC_LANE double half_of(double cosine, double sine)
 {
     double rest;
 
-    return arc_and_rest(o->cosine, o->sine, &rest);
+    return arc_and_rest(cosine, sine, &rest);
+}
+
+PSC_LANE double half_of_sight(const struct psc_fan_sight *o)
+{
+    return half_of(o->cosine, o->sine);
 }
 
 /* Whether the halves of some triangles, of which none is off by more than 8 u times the root of its
@@ -134,27 +139,22 @@ PSC_LANE int is_sure_fan(int triangles, double doubts, double halves)
     return (double)triangles * doubts < 64.0 * (halves * halves);
 }
 
-/* The constants of the map but for half. Divisions are slow, so that two share one. */
+/* The constants of the map but for half. */
 PSC_LANE void build_ray_fan(const struct psc_fan_pivot *p, const struct psc_fan_ray *a,
                             const struct psc_fan_ray *c, const struct psc_fan_sight *o,
                             struct psc_ray_fan_f64 *f)
 {
     const double more = a->size * p->size + ABS(a->along);
-    const double by_more = (o->size_ab * more) * p->inverse4;
-    const double by_volume = (a->size * o->sine) * p->inverse4;
-    const double inverse = 1.0 / (by_more * by_volume);
-    const double per_more = (by_volume * inverse) * p->inverse4;
-    const double per_volume = (by_more * inverse) * p->inverse4;
+    const double per_more = 1.0 / (o->size_ab * more), per_volume = 1.0 / (a->size * o->sine);
     const double tangent = o->size_ab * (o->size_ab * per_more);
     const double per_ab = more * per_more, cotangent = more * per_ab;
-    const double side = COPYSIGN(per_ab, o->volume);
     double across[3];
 
     f->cos_a = o->across * per_volume;
     f->near = a->along >= 0.0 ? tangent : cotangent;
     f->far = a->along >= 0.0 ? cotangent : tangent;
     scale3(per_ab, o->ab, across);
-    scale3(side, o->ab, f->toward_c);
+    scale3(COPYSIGN(1.0, o->volume), across, f->toward_c);
     cross_rounded(p->unit, across, f->toward_a);
     f->per_along = p->b2 * per_ab;
     f->per_above = (o->size_ab * p->size) * (a->size * per_volume);

@@ -49,35 +49,13 @@ PSC_LANE void FN(fan_map)(const struct FN(psc_fan) *f, real u, real v, struct FN
     p->c = radius * s;
 }
 
-/* The map of a triangle built by plain_fan(); none of these is so close to the whole sky that what it
-   lacks of that matters. */
-PSC_LANE void FN(plain_map)(const struct FN(psc_plain_fan) *f, real u, real v, struct FN(psc_spot) *p)
-{
-    struct FN(psc_fan) fan;
-
-    fan.half = f->half;
-    fan.rest = K(3.14159265358979323846) - f->half;
-    fan.sin_a = fan.gap = K(1.0);
-    fan.cos_a = f->cos_a;
-    fan.sin_rest = K(0.0);
-    fan.near = f->near;
-    fan.far = f->far;
-    FN(fan_map)(&fan, u, v, p);
-}
-
-PSC_LANE void FN(spot_direction)(const real b[3], const real toward_a[3], const real toward_c[3],
-                                 const struct FN(psc_spot) *p, real direction[3])
+PSC_LANE void FN(fan_direction)(const struct FN(psc_fan) *f, const struct FN(psc_spot) *p,
+                                real direction[3])
 {
     int i;
 
     for (i = 0; i < 3; i++)
-        direction[i] = p->b * b[i] + (p->a * toward_a[i] + p->c * toward_c[i]);
-}
-
-PSC_LANE void FN(fan_direction)(const struct FN(psc_fan) *f, const struct FN(psc_spot) *p,
-                                real direction[3])
-{
-    FN(spot_direction)(f->b, f->toward_a, f->toward_c, p, direction);
+        direction[i] = p->b * f->b[i] + (p->a * f->toward_a[i] + p->c * f->toward_c[i]);
 }
 
 /* The height of a direction above the receiver's plane. */
@@ -122,25 +100,6 @@ PSC_LANE void FN(fan_hit)(const struct FN(psc_fan) *f, const struct FN(psc_spot)
     *share_a = to_a * inverse;
     *share_b = to_b * inverse;
     *share_c = to_c * inverse;
-    *distance = inverse;
-}
-
-/*
- * The same for a triangle built by plain_fan(), where no share is more than rounding outside [0, 1]
- * and |b| is 1: the sum is taken with the coordinates of a and c, not with the rest for b.
- */
-PSC_LANE void FN(plain_hit)(const struct FN(psc_plain_fan) *f, const struct FN(psc_spot) *p,
-                            real *share_a, real *share_b, real *share_c, real *distance)
-{
-    const real c = p->c * f->per_above;
-    const real first = (p->a - c * f->slant) * f->per_along, a = MAX(first, K(0.0));
-    const real inverse = K(1.0) / (p->b + (a * f->less_a + c * f->less_c));
-    real rest;
-
-    *share_a = a * inverse;
-    *share_c = c * inverse;
-    rest = (K(1.0) - *share_a) - *share_c;
-    *share_b = MAX(rest, K(0.0));
     *distance = inverse;
 }
 

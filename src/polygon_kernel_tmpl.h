@@ -6,11 +6,9 @@
 #if PSC_REAL_BITS == 64
 #define FAN_OF(from) (*(from))
 #define FACE_OF(from) (*(from))
-#define PLAIN_FAN_OF(from) (*(from))
 #else
 #define FAN_OF(from) psc_fan_round(from)
 #define FACE_OF(from) psc_face_round(from)
-#define PLAIN_FAN_OF(from) psc_plain_fan_round(from)
 #endif
 
 /* A triangle of a fan in world space. */
@@ -82,28 +80,42 @@ PSC_LANE void FN(round_flat)(const struct psc_flat_point *p, real share[3], real
 
 /* ---- One sample ---- */
 
-/* Of a triangle built by plain_fan(), with what is the same in all these. */
+/* Where the direction meets a plain triangle, as fan_hit(). */
+PSC_LANE void FN(plain_hit)(const struct FN(psc_ray_fan) *fan, const struct FN(psc_spot) *p,
+                            real share[3], real *distance)
+{
+    real rest;
+
+    FN(ray_hit)(fan, p, share, share + 2, distance);
+    rest = (K(1.0) - share[0]) - share[2];
+    share[1] = MAX(rest, K(0.0));
+}
+
+/* Of a plain triangle, with what is the same in all these. */
 static psc_result FN(plain_sample)(const psc_sampler *s, real u, real v, FN(psc_light_sample) *out)
 {
     const struct psc_polygon_light *l = &s->polygon;
-    const double *const b = l->corner[1];
-    const struct FN(psc_plain_fan) fan = PLAIN_FAN_OF(&l->plain_fan);
+    const double *const start = l->corner[1];
+    const struct FN(psc_ray_fan) fan = RAY_FAN_OF(&l->rays);
+    const real b[3] = {(real)l->b[0], (real)l->b[1], (real)l->b[2]};
     struct FN(psc_polygon_world) w;
     struct FN(psc_spot) p;
-    real a, distance;
+    real share[3], distance;
     int i;
 
     FN(polygon_world)(s, &w);
-    FN(plain_map)(&fan, u, v, &p);
-    FN(spot_direction)(fan.b, fan.toward_a, fan.toward_c, &p, out->direction);
+    FN(ray_map)(&fan, u, v, &p);
+    FN(ray_direction)(&fan, b, &p, out->direction);
     out->pdf = w.pdf;
     out->weight = w.total * FN(fan_cosine)(w.facing, FN(fan_height)(w.up, out->direction));
-    FN(plain_hit)(&fan, &p, &a, out->surface, out->surface + 1, &distance);
+    FN(plain_hit)(&fan, &p, share, &distance);
+    out->surface[0] = share[1];
+    out->surface[1] = share[2];
     out->distance = distance * w.unit;
     PSC_UNROLL
     for (i = 0; i < 3; i++)
-        out->point[i] = (real)b[i] + (a * (real)(l->corner[0][i] - b[i]) +
-                                      out->surface[1] * (real)(l->corner[2][i] - b[i]));
+        out->point[i] = (real)start[i] + (share[0] * (real)(l->corner[0][i] - start[i]) +
+                                          share[2] * (real)(l->corner[2][i] - start[i]));
     PSC_UNROLL
     for (i = 0; i < 3; i++)
         out->normal[i] = (real)l->normal[i];
@@ -181,14 +193,15 @@ PSC_LANE void FN(fan_lanes)(const psc_sampler *s, int k, int plain, size_t n,
     const struct FN(psc_face) face = FN(face_at)(&s->polygon, k);
     const real normal[3] = {(real)s->polygon.normal[0], (real)s->polygon.normal[1],
                             (real)s->polygon.normal[2]};
-    struct FN(psc_plain_fan) own;
+    const real pivot[3] = {(real)s->polygon.b[0], (real)s->polygon.b[1], (real)s->polygon.b[2]};
+    struct FN(psc_ray_fan) own;
     real b[PSC_BLOCK], a[PSC_BLOCK], c[PSC_BLOCK];
     struct FN(psc_polygon_world) w;
     struct FN(psc_fan) fan;
     size_t i;
 
     if (plain)
-        own = PLAIN_FAN_OF(&s->polygon.plain_fan);
+        own = RAY_FAN_OF(&s->polygon.rays);
     else
         fan = FAN_OF(s->polygon.fan + k);
     FN(polygon_world)(s, &w);
@@ -197,8 +210,8 @@ PSC_LANE void FN(fan_lanes)(const psc_sampler *s, int k, int plain, size_t n,
         real direction[3];
 
         if (plain) {
-            FN(plain_map)(&own, u[i], v[i], &p);
-            FN(spot_direction)(own.b, own.toward_a, own.toward_c, &p, direction);
+            FN(ray_map)(&own, u[i], v[i], &p);
+            FN(ray_direction)(&own, pivot, &p, direction);
         } else {
             FN(fan_map)(&fan, u[i], v[i], &p);
             FN(fan_direction)(&fan, &p, direction);
@@ -222,7 +235,7 @@ PSC_LANE void FN(fan_lanes)(const psc_sampler *s, int k, int plain, size_t n,
         real share[3], distance, point[3], first, second;
 
         if (plain)
-            FN(plain_hit)(&own, &p, share, share + 1, share + 2, &distance);
+            FN(plain_hit)(&own, &p, share, &distance);
         else
             FN(fan_hit)(&fan, &p, share, share + 1, share + 2, &distance);
         FN(face_point)(&face, share[0], share[1], share[2], point, &first, &second);

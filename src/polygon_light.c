@@ -75,12 +75,12 @@ static void fan_of_corners(const struct psc_polygon_light *l, struct psc_fan_f64
     double unit;
 
     if (see_plain_triangle(l->position, l->corner[0], l->corner[1], l->corner[2], &plain)) {
-        struct psc_plain_fan_f64 fan;
+        struct psc_ray_fan_f64 rays;
 
-        plain_fan(&plain, &fan);
-        fan.half = plain_half(plain.cosine, plain.sine);
-        fan_of_plain(&fan, f);
-        unit = 1.0 / plain.size_b;
+        plain_fan(&plain, &rays);
+        rays.half = half_of_sight(&plain.sight);
+        fan_of_rays(&rays, plain.pivot.unit, f);
+        unit = plain.pivot.inverse;
     } else {
         struct psc_triangle_words words;
         struct psc_triangle_view seen;
@@ -108,7 +108,7 @@ static const struct psc_fan_f64 *fan_at(const psc_sampler *s, int k, struct psc_
         if (s->measure == PSC_MEASURE_AREA)
             fan_of_corners(l, own);
         else
-            fan_of_plain(&l->plain_fan, own);
+            fan_of_rays(&l->rays, l->b, own);
         return own;
     case PSC_PLAIN_FAN:
         load_ray_fan(&l->fans, k, &rays);

@@ -24,7 +24,8 @@ struct psc_polygon_light {
 
     /* How it was built: without view and heights where it is plain. */
     enum psc_plain plain;
-    struct psc_plain_fan_f64 plain_fan;
+    struct psc_ray_fan_f64 rays; /* of a triangle, with b / |b| */
+    double b[3];
     /* What was given, for questions whose answers sampling does not need: vertices, or a corner and
        two edges. */
     int numbers;

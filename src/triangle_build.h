@@ -109,16 +109,18 @@ PSC_LANE psc_result plain_triangle_build(psc_sampler *s, const double *position,
 
     if (!see_plain_triangle(position, vertex[0], vertex[1], vertex[2], &o))
         return PSC_PENDING;
-    seen = plain_receiver(l, position, normal, vertex, o.a, o.b, o.c, o.reach);
+    seen = plain_receiver(l, position, normal, vertex, o.a.to, o.pivot.b, o.c.to, o.reach);
     if (seen == PSC_PENDING)
         return PSC_PENDING;
-    if ((one_sided && o.volume > 0.0) || (seen == PSC_CASE_EMPTY && facing == PSC_FACING_ONE))
+    if ((one_sided && o.sight.volume > 0.0) ||
+        (seen == PSC_CASE_EMPTY && facing == PSC_FACING_ONE))
         return PSC_EMPTY;
-    plain_fan(&o, &l->plain_fan);
-    l->plain_fan.half = plain_half(o.cosine, o.sine);
-    l->unit = o.size_b;
-    s->total = l->solid_angle = 2.0 * l->plain_fan.half;
-    keep_triangle(s, seen, position, vertex, o.normal);
+    plain_fan(&o, &l->rays);
+    l->rays.half = half_of_sight(&o.sight);
+    copy3(o.pivot.unit, l->b);
+    l->unit = o.pivot.size;
+    s->total = l->solid_angle = 2.0 * l->rays.half;
+    keep_triangle(s, seen, position, vertex, o.sight.normal);
     return PSC_SUCCESS;
 }
 

@@ -37,24 +37,24 @@ PSC_LANE void FN(build_element)(const struct psc_wave *wave, int one_sided, int 
                                 struct FN(psc_fans) *to)
 {
     struct psc_plain_triangle seen;
-    struct psc_plain_fan_f64 wide;
-    struct FN(psc_plain_fan) fan;
+    struct psc_ray_fan_f64 wide;
+    struct FN(psc_ray_fan) fan;
     double position[3], vertices[9], per_length;
     int c, fit, hidden;
 
     load_triangle(wave, i, position, vertices);
     fit = see_plain_triangle(position, vertices, vertices + 3, vertices + 6, &seen);
-    hidden = one_sided & (seen.volume > 0.0);
+    hidden = one_sided & (seen.sight.volume > 0.0);
     to->status[i] = !fit ? PSC_PENDING : hidden ? PSC_EMPTY : PSC_SUCCESS;
     plain_fan(&seen, &wide);
-    fan = PLAIN_FAN_OF(&wide);
-    to->sine[i] = seen.sine;
-    to->cosine[i] = seen.cosine;
+    fan = RAY_FAN_OF(&wide);
+    to->sine[i] = seen.sight.sine;
+    to->cosine[i] = seen.sight.cosine;
     to->cos_a[i] = fan.cos_a;
     to->near[i] = fan.near;
     to->far[i] = fan.far;
     for (c = 0; c < 3; c++) {
-        to->b[c][i] = fan.b[c];
+        to->b[c][i] = (real)seen.pivot.unit[c];
         to->toward_a[c][i] = fan.toward_a[c];
         to->toward_c[c][i] = fan.toward_c[c];
     }
@@ -65,10 +65,10 @@ PSC_LANE void FN(build_element)(const struct psc_wave *wave, int one_sided, int 
     to->slant[i] = fan.slant;
     to->less_a[i] = fan.less_a;
     to->less_c[i] = fan.less_c;
-    to->unit[i] = (real)seen.size_b;
-    per_length = 1.0 / __builtin_sqrt(dot(seen.normal, seen.normal));
+    to->unit[i] = (real)seen.pivot.size;
+    per_length = 1.0 / __builtin_sqrt(dot(seen.sight.normal, seen.sight.normal));
     for (c = 0; c < 3; c++)
-        to->normal[c][i] = (real)(seen.normal[c] * per_length);
+        to->normal[c][i] = (real)(seen.sight.normal[c] * per_length);
 }
 
 static void FN(build_elements)(const struct psc_wave *restrict wave,
@@ -100,7 +100,7 @@ static void FN(find_halves)(size_t n, struct FN(psc_fans) *restrict to)
     size_t i;
 
     for (i = 0; i < n; i++) {
-        const double half = plain_half(to->cosine[i], to->sine[i]);
+        const double half = half_of(to->cosine[i], to->sine[i]);
 
         to->half[i] = (real)half;
         to->pdf[i] = (real)(1.0 / (2.0 * half));
@@ -212,9 +212,9 @@ static void FN(sample_elements)(const struct psc_wave *restrict wave,
     size_t i;
 
     for (i = 0; i < n; i++) {
-        struct FN(psc_plain_fan) fan;
+        real pivot[3], direction[3];
+        struct FN(psc_ray_fan) fan;
         struct FN(psc_spot) p;
-        real direction[3];
         int k;
 
         fan.half = f->half[i];
@@ -223,12 +223,12 @@ static void FN(sample_elements)(const struct psc_wave *restrict wave,
         fan.far = f->far[i];
         PSC_UNROLL
         for (k = 0; k < 3; k++) {
-            fan.b[k] = f->b[k][i];
+            pivot[k] = f->b[k][i];
             fan.toward_a[k] = f->toward_a[k][i];
             fan.toward_c[k] = f->toward_c[k][i];
         }
-        FN(plain_map)(&fan, u[i], v[i], &p);
-        FN(spot_direction)(fan.b, fan.toward_a, fan.toward_c, &p, direction);
+        FN(ray_map)(&fan, u[i], v[i], &p);
+        FN(ray_direction)(&fan, pivot, &p, direction);
         r->value[0][i] = direction[0];
         r->value[1][i] = direction[1];
         r->value[2][i] = direction[2];
@@ -241,7 +241,7 @@ static void FN(sample_elements)(const struct psc_wave *restrict wave,
         const struct FN(psc_spot) p = {b[i], a[i], c[i]};
         const real normal[3] = {f->normal[0][i], f->normal[1][i], f->normal[2][i]};
         real share[3], distance, point[3], first, second;
-        struct FN(psc_plain_fan) fan;
+        struct FN(psc_ray_fan) fan;
         struct FN(psc_face) face;
 
         FN(load_face)(wave, i, &face);
@@ -250,7 +250,7 @@ static void FN(sample_elements)(const struct psc_wave *restrict wave,
         fan.slant = f->slant[i];
         fan.less_a = f->less_a[i];
         fan.less_c = f->less_c[i];
-        FN(plain_hit)(&fan, &p, share, share + 1, share + 2, &distance);
+        FN(plain_hit)(&fan, &p, share, &distance);
         FN(face_point)(&face, share[0], share[1], share[2], point, &first, &second);
         FN(store_surface)(r, i, point, normal, distance * f->unit[i], first, second);
     }
