@@ -294,8 +294,9 @@ static void FN(wave_far_sides)(const struct psc_wave *wave, const struct views *
         w.slack = (real)(-o->power[i] / (o->radius[i] * o->radius[i]));
         for (c = 0; c < 3; c++) {
             w.center[c] = (real)wave->geometry[c][i];
-            w.offset[c] = (real)(((double)wave->geometry[c][i] - (double)wave->position[c][i]) * o->scale[i] /
-                                 o->radius[i]);
+            w.offset[c] =
+                (real)(((double)wave->geometry[c][i] - (double)wave->position[c][i]) *
+                       o->scale[i] / o->radius[i]);
         }
         FN(cap_surface)(&w, direction, K(0.0), K(0.0), K(0.0), K(0.0), point, normal, &distance);
         FN(store_surface)(r, i, point, normal, distance, K(0.0), K(0.0));

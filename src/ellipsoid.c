@@ -28,9 +28,10 @@ psc_result psc_build_ellipsoid(psc_sampler *sampler, const psc_technique *techni
 }
 
 psc_result psc_ellipsoid_sample_n_f64(const psc_technique *technique, size_t count,
-                                 const psc_receivers_f64 *receivers, const psc_input_f64 *center,
-                                 const psc_input_f64 *axis_u, const psc_input_f64 *axis_v, const psc_input_f64 *axis_w,
-                                 const psc_input_f64 *uv, const psc_samples_f64 *out)
+                                      const psc_receivers_f64 *receivers,
+                                      const psc_input_f64 *center, const psc_input_f64 *axis_u,
+                                      const psc_input_f64 *axis_v, const psc_input_f64 *axis_w,
+                                      const psc_input_f64 *uv, const psc_samples_f64 *out)
 {
     const psc_input_f64 *const parts[] = {center, axis_u, axis_v, axis_w};
 
@@ -39,9 +40,10 @@ psc_result psc_ellipsoid_sample_n_f64(const psc_technique *technique, size_t cou
 }
 
 psc_result psc_ellipsoid_sample_n_f32(const psc_technique *technique, size_t count,
-                                 const psc_receivers_f32 *receivers, const psc_input_f32 *center,
-                                 const psc_input_f32 *axis_u, const psc_input_f32 *axis_v, const psc_input_f32 *axis_w,
-                                 const psc_input_f32 *uv, const psc_samples_f32 *out)
+                                      const psc_receivers_f32 *receivers,
+                                      const psc_input_f32 *center, const psc_input_f32 *axis_u,
+                                      const psc_input_f32 *axis_v, const psc_input_f32 *axis_w,
+                                      const psc_input_f32 *uv, const psc_samples_f32 *out)
 {
     const psc_input_f32 *const parts[] = {center, axis_u, axis_v, axis_w};
 
@@ -50,7 +52,8 @@ psc_result psc_ellipsoid_sample_n_f32(const psc_technique *technique, size_t cou
 }
 
 psc_result psc_ellipsoid_solid_angle(const double position[3], const double center[3],
-                                const double axis_u[3], const double axis_v[3], const double axis_w[3], double *solid_angle)
+                                     const double axis_u[3], const double axis_v[3],
+                                     const double axis_w[3], double *solid_angle)
 {
     const double *const parts[] = {center, axis_u, axis_v, axis_w};
 

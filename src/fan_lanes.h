@@ -84,10 +84,10 @@ struct psc_fan_sight {
 /*
  * Returns whether rounding does no harm to the triangle's own. u being a rounding error,
  *  - a x b and a x c are off by less than 4 u of the lengths' products, and the volume, which is
- *    the edge to C times the first, by less than 8 u |b| |edge_a| |edge_c|. The volume has the sine of the angle at B or A as a factor; a
- *    place between the far side's ends moves by no more than that times the volume's error. So a
- *    sixteenth of the products will do for this triangle, where the doubts of all triangles
- *    together keep the elevation of b from being small (is_sure_fan());
+ *    the edge to C times the first, by less than 8 u |b| |edge_a| |edge_c|. The volume has the sine
+ *    of the angle at B or A as a factor; a place between the far side's ends moves by no more than
+ *    that times the volume's error. So a sixteenth of the products will do for this triangle, where
+ *    the doubts of all triangles together keep the elevation of b from being small (is_sure_fan());
  *  - the cosine D of the solid angle [OS83], 1 + cos ab + cos ac + cos bc, is off by less than 6 u;
  *    with N the sine, N^2 + D^2 = 2 (1 + cos ab) (1 + cos ac) (1 + cos bc), so that where that is
  *    1/8 no side is near half a turn, and the angle of (D, N) is off by less than 17 u;

@@ -226,8 +226,8 @@ struct psc_kernel_f64 {
     /* Fill pdf, or uv and status; the sampler is not empty. NULL: the calls for one do it. */
     void (*pdf)(const psc_sampler *sampler, struct psc_directions *directions);
     void (*invert)(const psc_sampler *sampler, struct psc_directions *directions);
-    /* Checks and builds what single calls ask for most, of a geometry of vectors and a scalar, if it
-       has any; or returns PSC_PENDING and leaves it to build. NULL: none. */
+    /* Checks and builds what single calls ask for most, of a geometry of vectors and a scalar, if
+       it has one; or returns PSC_PENDING and leaves it to build. NULL: none. */
     psc_result (*quick)(psc_sampler *sampler, const psc_technique *technique,
                         const psc_receiver *receiver, const double *const vectors[],
                         double scalar);

@@ -163,8 +163,8 @@ static inline void force_sector(struct psc_sector *s)
     s->sine_more = 0.0;
 }
 
-/* Density at an end, where U_z is uz and W_z is uz + d, and half its derivative inwards; inwards: 1,
-   or -1 at the second end. What sector_place() gives is simple there. */
+/* Density at an end, where U_z is uz and W_z is uz + d, and half its derivative inwards (1, or -1 at
+   the second end). What sector_place() gives is simple there. */
 PSC_LANE void sector_rise(const struct psc_sector *s, double uz, double d, double inwards,
                           double *rise, double *bend)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Wavefronts of triangles by area: one loop that builds and samples, in double as the map is, and one
-   that weighs. Template: see precision.h. */
+/* Wavefronts of triangles by area: one loop that builds and samples, in double as the map is, and
+   one that weighs. Template: see precision.h. */
 
 /* Heights of directions above the receivers' planes, and cosines over densities for a cosine of
    1. */

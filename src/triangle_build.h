@@ -46,8 +46,8 @@ static int see_exact_horizon(const double *position, const double *normal, const
     return (int)see_horizon(normal, &view, n, up, height);
 }
 
-/* Where the light lies to the receiver's plane, or PSC_PENDING; reach: at least the length of any of
-   a, b and c, which are its vertices as the receiver sees them. */
+/* Where the light lies to the receiver's plane, or PSC_PENDING; reach: at least the length of any
+   of a, b and c, which are its vertices as the receiver sees them. */
 PSC_LANE int plain_receiver(struct psc_polygon_light *l, const double *position,
                             const double *normal, const double *const vertex[3],
                             const double a[3], const double b[3], const double c[3], double reach)

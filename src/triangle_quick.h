@@ -2,8 +2,8 @@
 /*
  * The build that a path tracer makes for each light and shading point, from the public call's
  * arguments straight to the sampler, which is complete afterwards but for what the caller knows of
- * itself (kernels and shape). PSC_PENDING: not one of these. Everything else, and everything that is
- * wrong, is left to the build for all.
+ * itself (kernels and shape). PSC_PENDING: not one of these. Everything else, and everything that
+ * is wrong, is left to the build for all.
  */
 #ifndef PSC_SRC_TRIANGLE_QUICK_H
 #define PSC_SRC_TRIANGLE_QUICK_H
