@@ -85,14 +85,16 @@ static inline double eccentric(const struct psc_ellipse *e, const struct seen *d
 /* The height over the horizon that counts of a direction of the light; negative if it is none of
    what is above. */
 static inline double look_above(const psc_sampler *s, const double direction[3], double epsilon,
-                         struct seen *d)
+                                struct seen *d)
 {
     const double height = dot(direction, s->disk.receiver);
 
-    if (s->disk.inside)
+    if (s->disk.inside) {
+        d->u = d->v = 0.0;
         d->margin = 1.0;
-    else if (!look(&s->disk.seen, direction, epsilon, d))
+    } else if (!look(&s->disk.seen, direction, epsilon, d)) {
         return -1.0;
+    }
     return s->facing == PSC_FACING_BOTH ? ABS(height) : height;
 }
 
@@ -111,8 +113,8 @@ static inline psc_result invert_fibres(const psc_sampler *s, const double direct
     at.x = dot(direction, l->seen.x);
     at.y = dot(direction, l->seen.y);
     at.depth = MAX(sign * dot(direction, l->seen.z), DBL_MIN);
-    at.uz = l->inside ? 0.0 : d.u;
-    at.vz = l->inside ? 0.0 : d.v;
+    at.uz = d.u;
+    at.vz = d.v;
     at.margin = l->inside ? at.depth * at.depth : d.margin;
     fibre_invert(l, side, &at, uv);
     if (s->sides == 2)

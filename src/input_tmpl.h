@@ -16,20 +16,3 @@ PSC_LANE real FN(element)(const FN(psc_input) *input, int component, size_t i)
     return *(const real *)(const void *)((const char *)input->component[component] +
                                          (ptrdiff_t)i * input->stride);
 }
-
-/* n elements of a component, widened. */
-static void FN(widen)(const FN(psc_input) *input, int component, size_t first, size_t n,
-                      double *to)
-{
-    size_t i;
-
-    if (input->stride == (ptrdiff_t)sizeof(real)) {
-        const real *from = input->component[component] + first;
-
-        for (i = 0; i < n; i++)
-            to[i] = (double)from[i];
-    } else {
-        for (i = 0; i < n; i++)
-            to[i] = (double)FN(element)(input, component, first + i);
-    }
-}

@@ -57,6 +57,23 @@ psc_result FN(psc_sample_n)(const psc_sampler *sampler, size_t count, const FN(p
     return PSC_SUCCESS;
 }
 
+/* n elements of a component, widened. */
+static void FN(widen)(const FN(psc_input) *input, int component, size_t first, size_t n,
+                      double *to)
+{
+    size_t i;
+
+    if (input->stride == (ptrdiff_t)sizeof(real)) {
+        const real *from = input->component[component] + first;
+
+        for (i = 0; i < n; i++)
+            to[i] = (double)from[i];
+    } else {
+        for (i = 0; i < n; i++)
+            to[i] = (double)FN(element)(input, component, first + i);
+    }
+}
+
 /* The block of directions from first on. */
 static void FN(load_directions)(const FN(psc_input) *input, size_t first, size_t n,
                                 struct psc_directions *d)
