@@ -7,16 +7,20 @@
  * Template: see precision.h.
  */
 
+/* Rows of which no two begin at the same place of a page: loads would wait for stores to others. */
+#undef PSC_ROW
+#define PSC_ROW (PSC_BLOCK + 16)
+
 /* Constants of a block, of those that vary: the second lot is for hits on the light alone. */
 struct FN(psc_fans) {
-    real half[PSC_BLOCK], cos_a[PSC_BLOCK], near[PSC_BLOCK], far[PSC_BLOCK];
-    real b[3][PSC_BLOCK], toward_a[3][PSC_BLOCK], toward_c[3][PSC_BLOCK], up[3][PSC_BLOCK];
-    real pdf[PSC_BLOCK];
-    double sine[PSC_BLOCK], cosine[PSC_BLOCK]; /* of half */
-    int32_t status[PSC_BLOCK];
+    real half[PSC_ROW], cos_a[PSC_ROW], near[PSC_ROW], far[PSC_ROW];
+    real b[3][PSC_ROW], toward_a[3][PSC_ROW], toward_c[3][PSC_ROW], up[3][PSC_BLOCK];
+    real pdf[PSC_ROW];
+    double sine[PSC_ROW], cosine[PSC_ROW]; /* of half */
+    int32_t status[PSC_ROW];
 
-    real per_along[PSC_BLOCK], per_above[PSC_BLOCK], slant[PSC_BLOCK], less_a[PSC_BLOCK];
-    real less_c[PSC_BLOCK], unit[PSC_BLOCK], normal[3][PSC_BLOCK];
+    real per_along[PSC_ROW], per_above[PSC_ROW], slant[PSC_ROW], less_a[PSC_ROW];
+    real less_c[PSC_ROW], unit[PSC_ROW], normal[3][PSC_ROW];
 };
 
 PSC_LANE void load_triangle(const struct psc_wave *wave, size_t i, double position[3],
