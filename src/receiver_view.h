@@ -3,7 +3,7 @@
  * A polygon in the receiver's frame, z upwards. Points are kept in two words: what is left of the
  * differences and vector products of a sliver's points is then still exact to rounding. `plain`,
  * here and in what is built on it, is a constant: the first words alone count, see
- * plain_projection.h.
+ * projection_plain.h.
  */
 #ifndef PSC_SRC_RECEIVER_VIEW_H
 #define PSC_SRC_RECEIVER_VIEW_H

@@ -12,7 +12,7 @@ struct psc_sectors {
     struct psc_sector_hit *hit;
     int count, halvings;
     double sum;
-    /* Of a plain build: (D / 64)^2 and L^2, see plain_projection.h, and whether it will not do. */
+    /* Of a plain build: (D / 64)^2 and L^2, see projection_plain.h, and whether it will not do. */
     double reach, wide;
     int doubtful;
 };

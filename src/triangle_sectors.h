@@ -7,7 +7,7 @@
 #ifndef PSC_SRC_TRIANGLE_SECTORS_H
 #define PSC_SRC_TRIANGLE_SECTORS_H
 
-#include "plain_projection.h"
+#include "projection_plain.h"
 
 /* Numbers of the vertices, and of the edges between them; whether M is on the outer chain, not on
    the inner one. */

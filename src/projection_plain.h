@@ -24,8 +24,8 @@
  * The planes through the edges, for directions, are known where edges are seen by more than 1/16 of
  * R times their length. Squares leave room for the product of three of them.
  */
-#ifndef PSC_SRC_PLAIN_PROJECTION_H
-#define PSC_SRC_PLAIN_PROJECTION_H
+#ifndef PSC_SRC_PROJECTION_PLAIN_H
+#define PSC_SRC_PROJECTION_PLAIN_H
 
 #include <psc/psc.h>
 
