@@ -30,8 +30,8 @@
 #include "fan_wave_tmpl.h"
 
 #if PSC_REAL_BITS == 64
+#include "polygon_quick.h"
 #include "rectangle_directions.h"
-#include "triangle_quick.h"
 
 static psc_result build_triangle(psc_sampler *s, const struct psc_request *request,
                                  const double *geometry)
@@ -54,7 +54,7 @@ static psc_result build_polygon(psc_sampler *s, const struct psc_request *reques
 
 PSC_KERNEL_QUICK(triangle, triangle_quick, FN(triangle_sample), FN(polygon_sample_n),
                  FN(triangle_wave), build_triangle, NULL, NULL);
-PSC_KERNEL(rectangle, FN(any_rectangle_sample), FN(polygon_sample_n), FN(rectangle_wave),
-           build_rectangle, rectangle_pdfs, rectangle_inverses);
+PSC_KERNEL_QUICK(rectangle, rectangle_quick, FN(any_rectangle_sample), FN(polygon_sample_n),
+                 FN(rectangle_wave), build_rectangle, rectangle_pdfs, rectangle_inverses);
 PSC_KERNEL(polygon, FN(polygon_sample), FN(polygon_sample_n), FN(polygon_wave), build_polygon, NULL,
            NULL);

@@ -15,22 +15,12 @@ psc_result psc_build_rectangle(psc_sampler *sampler, const psc_technique *techni
                                const double edge_u[3], const double edge_v[3])
 {
     const double *const parts[] = {corner, edge_u, edge_v};
-    struct psc_request request;
-    double (*kept)[3];
+    const psc_result quick =
+        psc_build_quick(sampler, &psc_shape_rectangle, technique, receiver, parts, 0.0);
 
-    /* Of all that may be wrong, the build itself looks at the numbers. */
-    if (!sampler || !corner || !edge_u || !edge_v ||
-        psc_check_technique(technique, &request) != PSC_SUCCESS ||
-        psc_check_struct(receiver, sizeof *receiver) != PSC_SUCCESS ||
-        psc_read_point(receiver->flags, receiver->position, receiver->normal, &request) !=
-            PSC_SUCCESS ||
-        psc_check_offer(&psc_shape_rectangle, &request) != PSC_SUCCESS)
-        return psc_build(sampler, &psc_shape_rectangle, geometry, technique, receiver, parts);
-    kept = sampler->polygon.corner;
-    copy3(corner, kept[0]);
-    copy3(edge_u, kept[1]);
-    copy3(edge_v, kept[2]);
-    return psc_fill_unchecked(sampler, &psc_shape_rectangle, &request, kept[0]);
+    return quick != PSC_PENDING ? quick
+                                : psc_build(sampler, &psc_shape_rectangle, geometry, technique,
+                                            receiver, parts);
 }
 
 psc_result psc_rectangle_sample_n_f64(const psc_technique *technique, size_t count,

@@ -136,48 +136,48 @@ static psc_result exact_rectangle_build(psc_sampler *s, const struct psc_request
 }
 
 /* Where a rectangle lies to a plane that rounding may have put a corner on either side of. */
-static int see_exact_rectangle_horizon(const struct psc_request *request, const double *g)
+static int see_exact_rectangle_horizon(const double *position, const double *normal,
+                                       const double *g)
 {
     struct psc_rectangle_words words;
     struct psc_polygon_view view;
-    double normal[3], up[3], height[PSC_MAX_VERTICES];
+    double n[3], up[3], height[PSC_MAX_VERTICES];
 
-    see_rectangle(request->position, g, &view, &words);
-    return (int)see_horizon(request->normal, &view, normal, up, height);
+    see_rectangle(position, g, &view, &words);
+    return (int)see_horizon(normal, &view, n, up, height);
 }
 
-/* The geometry may be where the light keeps it. */
-PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *request,
-                                    const double *g)
+/* Along the edges by solid angle, or by area, where plain products suffice; else, and for all that
+   is wrong, PSC_PENDING. g: what the light keeps. */
+PSC_LANE psc_result plain_rectangle_build(psc_sampler *s, int area, const double *position,
+                                          const double *normal, const double *g, int one_sided,
+                                          enum psc_facing facing)
 {
-    const int area = s->measure == PSC_MEASURE_AREA;
     struct psc_polygon_light *l = &s->polygon;
     struct psc_rectangle_sight o;
     int seen = PSC_CASE_NO_HORIZON;
 
-    if (s->map != PSC_MAP_PARALLEL || !see_plain_rectangle(request->position, g, &o))
-        return exact_rectangle_build(s, request, g);
+    if (!see_plain_rectangle(position, g, &o))
+        return PSC_PENDING;
     l->up[0] = l->up[1] = l->up[2] = 0.0;
-    if (request->normal) {
-        const double square = dot(request->normal, request->normal), size = SQRT(square);
+    if (normal) {
+        const double square = dot(normal, normal), size = SQRT(square);
 
         if (!is_plain_normal(square))
-            return exact_rectangle_build(s, request, g);
-        seen = (int)see_rectangle_horizon(g, &o, request->normal, size);
-        if (seen < 0 && s->facing == PSC_FACING_ONE) /* as wavefronts do */
-            return exact_rectangle_build(s, request, g);
+            return PSC_PENDING;
+        seen = (int)see_rectangle_horizon(g, &o, normal, size);
+        if (seen < 0 && facing == PSC_FACING_ONE) /* as wavefronts do */
+            return PSC_PENDING;
         if (seen < 0)
-            seen = see_exact_rectangle_horizon(request, g);
-        copy3(request->normal, l->receiver);
-        scale3(1.0 / size, request->normal, l->up);
+            seen = see_exact_rectangle_horizon(position, normal, g);
+        copy3(normal, l->receiver);
+        scale3(1.0 / size, normal, l->up);
     }
-    s->visibility = (psc_case)seen;
-    if ((request->one_sided && o.volume > 0.0) ||
-        (seen == PSC_CASE_EMPTY && s->facing == PSC_FACING_ONE))
+    if ((one_sided && o.volume > 0.0) || (seen == PSC_CASE_EMPTY && facing == PSC_FACING_ONE))
         return PSC_EMPTY;
 
     if (area) {
-        plain_words(request->position, g, &o, &l->rectangle);
+        plain_words(position, g, &o, &l->rectangle);
         s->total = o.area;
     } else {
         plain_rectangle(g, &o, &l->plain_rectangle);
@@ -188,11 +188,29 @@ PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *re
     l->volume = 2.0 * ABS(o.volume);
     l->unit = 1.0;
     l->plain = PSC_PLAIN_RECTANGLE;
+    l->numbers = 9;
+    copy3(position, l->position);
     copy3(o.edge_v, l->edge_v);
-    keep_numbers(l, request, g, 9);
+    s->visibility = (psc_case)seen;
     s->sides = 1;
     s->split = 1.0;
     return PSC_SUCCESS;
+}
+
+/* The geometry may be where the light keeps it. */
+PSC_LANE psc_result rectangle_build(psc_sampler *s, const struct psc_request *request,
+                                    const double *g)
+{
+    double *const kept = s->polygon.corner[0];
+    psc_result result = PSC_PENDING;
+
+    if (s->map == PSC_MAP_PARALLEL) {
+        if (g != kept)
+            memcpy(kept, g, 9 * sizeof *g);
+        result = plain_rectangle_build(s, s->measure == PSC_MEASURE_AREA, request->position,
+                                       request->normal, kept, request->one_sided, s->facing);
+    }
+    return result == PSC_PENDING ? exact_rectangle_build(s, request, g) : result;
 }
 
 /* The rectangle in its local frame; `own` is for one that was built without. */
