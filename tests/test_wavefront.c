@@ -8,6 +8,7 @@
 
 #include "shapes.h"
 #include "tap.h"
+#include "vectors.h"
 
 #define REAL float
 #define FN(name) name##_f32

@@ -56,6 +56,19 @@ static void FN(set_element)(const struct FN(wave) *w, size_t i, const struct lig
             *FN(array_at)(&w->parts[k], i, c) = (REAL)*g++;
 }
 
+/* Turns the receiver so that its plane goes through a vertex or the centre, to rounding. */
+static void FN(come_to_horizon)(struct light *light, uint64_t *seed)
+{
+    const int distant = is_distant(light->shape);
+    double to[3], aside[3];
+    int c;
+
+    random_unit(seed, aside);
+    for (c = 0; c < 3; c++)
+        to[c] = light->geometry[c] - (distant ? 0.0 : light->position[c]);
+    cross(to, aside, light->normal);
+}
+
 static void FN(wave_make)(struct FN(wave) *w, const struct shape *shape,
                           const struct test_technique *what, size_t count, uint64_t *seed)
 {
@@ -75,6 +88,8 @@ static void FN(wave_make)(struct FN(wave) *w, const struct shape *shape,
         struct light light;
 
         (random_below(seed, 4) ? random_light : random_hard_light)(seed, shape, what, &light);
+        if (random_below(seed, 8) == 0)
+            FN(come_to_horizon)(&light, seed);
         FN(set_element)(w, i, &light);
         *FN(array_at)(&w->uv, i, 0) = (REAL)random_coordinate(seed);
         *FN(array_at)(&w->uv, i, 1) = (REAL)random_coordinate(seed);
