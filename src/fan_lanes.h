@@ -92,7 +92,8 @@ struct psc_fan_sight {
  *    with N the sine, N^2 + D^2 = 2 (1 + cos ab) (1 + cos ac) (1 + cos bc), so that where that is
  *    1/8 no side is near half a turn, and the angle of (D, N) is off by less than 17 u;
  *  - every length is the volume divided by two others, none above the sum of |a|, |b| and |c|: so
- *    that the last line keeps all products, and in float the quotients, clear of the range's ends.
+ *    that the last line keeps all products, and in float the quotients, clear of the range's lower
+ *    end; at the upper one the limit is infinite first.
  */
 PSC_LANE int see_fan_triangle(const struct psc_fan_pivot *p, const struct psc_fan_ray *a,
                               const struct psc_fan_ray *c, const double edge_ac[3],
@@ -115,8 +116,7 @@ PSC_LANE int see_fan_triangle(const struct psc_fan_pivot *p, const struct psc_fa
     o->limit = a->reach2 * MAX(at_a, at_b);
     o->doubt = o->limit / square;
     return (256.0 * (o->sine * o->sine) > o->limit) & (8.0 * square > sizes * sizes) &
-           (o->sine > 0x1p-100 * ((reach * reach) * reach)) & (reach > 0x1p-120) &
-           (reach < 0x1p120);
+           (o->sine > 0x1p-100 * ((reach * reach) * reach)) & (reach > 0x1p-120);
 }
 
 /* Half the solid angle. */

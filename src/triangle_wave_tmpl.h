@@ -217,6 +217,7 @@ static void FN(triangle_wave)(const struct psc_wave *wave, const real *u, const 
                               struct FN(psc_results) *r)
 {
     struct FN(psc_fans) fans;
+    psc_result all = PSC_PENDING;
     int32_t low = 0;
     int judged;
     size_t i;
@@ -229,7 +230,10 @@ static void FN(triangle_wave)(const struct psc_wave *wave, const real *u, const 
     (wave->surface ? FN(build_whole_elements) : FN(build_elements))(wave, &fans);
     FN(find_halves)(wave->count, &fans);
     FN(sample_elements)(wave, &fans, u, v, r);
-    judged = wave->facing != PSC_FACING_NONE && !wave->weight && FN(judge_elements)(wave, &fans, r);
+    judged = wave->facing != PSC_FACING_NONE && !wave->weight &&
+             FN(judge_elements)(wave, &fans, r, &all);
+    if (judged && all == PSC_SUCCESS)
+        return;
     if (!judged) {
         FN(find_normals)(wave, &fans);
         FN(weigh_elements)(wave->facing, wave->count, (const real(*)[PSC_BLOCK])fans.up, fans.half,

@@ -13,14 +13,14 @@
 #endif
 
 /* Statuses where nobody asks for weights: then their signs will do, and normals of any length.
-   Returns whether rounding cannot have decided any. */
+   Returns whether rounding cannot have decided any; *all: PSC_SUCCESS if all are. */
 static int FN(judge_elements)(const struct psc_wave *restrict wave,
                               const struct FN(psc_fans) *restrict f,
-                              struct FN(psc_results) *restrict r)
+                              struct FN(psc_results) *restrict r, psc_result *restrict all)
 {
     const int facing_one = wave->facing == PSC_FACING_ONE;
     const size_t n = wave->count;
-    int32_t near = 0;
+    int32_t near = 0, any = 0;
     size_t i;
 
     for (i = 0; i < n; i++) {
@@ -34,7 +34,9 @@ static int FN(judge_elements)(const struct psc_wave *restrict wave,
         r->status[i] = f->status[i] != PSC_SUCCESS         ? f->status[i]
                        : facing_one & (height < K(0.0)) ? PSC_CULLED
                                                            : PSC_SUCCESS;
+        any |= r->status[i];
     }
+    *all = any;
     return !near;
 }
 
