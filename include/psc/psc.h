@@ -846,7 +846,8 @@ PSC_API psc_result psc_sampler_describe(const psc_sampler *sampler, psc_descript
  */
 PSC_API psc_result psc_sampler_total(const psc_sampler *sampler, double *total);
 
-/** Solid angle of the whole light in steradians, whether above the horizon or not.
+/** Solid angle of the whole light in steradians, whether above the horizon or not. Samplers by
+    another measure may have to look at the light anew, which costs as much as building one.
     @return as psc_sampler_total() @since 0.1 */
 PSC_API psc_result psc_sampler_solid_angle(const psc_sampler *sampler, double *solid_angle);
 
