@@ -17,12 +17,4 @@
     X(4, 24, PSC_SERIES_TANGENT)
 #define PSC_SERIES_TANGENT 1.25
 
-/* The cube root of a share, to 1e-9. */
-PSC_LANE double share_root(double x)
-{
-    const double y = rough_cbrt(x), y3 = y * y * y;
-
-    return y * (y3 + 2.0 * x) / (2.0 * y3 + x);
-}
-
 #endif
