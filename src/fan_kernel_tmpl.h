@@ -138,13 +138,7 @@ static void FN(ray_block)(const psc_sampler *s, int k, size_t n, const real *res
         at_a[i] = p.a;
         at_c[i] = p.c;
     }
-    for (i = 0; i < n; i++) {
-        const real direction[3] = {r->value[0][i], r->value[1][i], r->value[2][i]};
-
-        r->value[PSC_PDF][i] = w.pdf;
-        r->value[PSC_WEIGHT][i] =
-            w.total * FN(fan_cosine)(w.facing, FN(fan_height)(w.up, direction));
-    }
+    FN(weigh_samples)(&w, n, r);
     for (i = 0; surface && i < n; i++) {
         const struct FN(psc_spot) p = {at_b[i], at_a[i], at_c[i]};
         real a, c, distance, point[3], place[2];

@@ -41,13 +41,7 @@ PSC_LANE void FN(fan_lanes)(const psc_sampler *s, int k, int plain, size_t n,
         a[i] = p.a;
         c[i] = p.c;
     }
-    for (i = 0; i < n; i++) {
-        const real direction[3] = {r->value[0][i], r->value[1][i], r->value[2][i]};
-
-        r->value[PSC_PDF][i] = w.pdf;
-        r->value[PSC_WEIGHT][i] =
-            w.total * FN(fan_cosine)(w.facing, FN(fan_height)(w.up, direction));
-    }
+    FN(weigh_samples)(&w, n, r);
     for (i = 0; surface && i < n; i++) {
         const struct FN(psc_spot) p = {b[i], a[i], c[i]};
         real share[3], distance, point[3], first, second;

@@ -44,6 +44,21 @@ PSC_LANE void FN(polygon_world)(const psc_sampler *s, struct FN(psc_polygon_worl
     w->facing = s->facing;
 }
 
+/* Densities and weights of n samples by solid angle whose directions are there. */
+PSC_LANE void FN(weigh_samples)(const struct FN(psc_polygon_world) *w, size_t n,
+                                struct FN(psc_results) *restrict r)
+{
+    size_t i;
+
+    for (i = 0; i < n; i++) {
+        const real direction[3] = {r->value[0][i], r->value[1][i], r->value[2][i]};
+
+        r->value[PSC_PDF][i] = w->pdf;
+        r->value[PSC_WEIGHT][i] =
+            w->total * FN(fan_cosine)(w->facing, FN(fan_height)(w->up, direction));
+    }
+}
+
 /* The triangle of the fan that u falls to, and u within it. */
 PSC_LANE int FN(pick_triangle)(const struct psc_polygon_light *l, real u, real *within)
 {
